@@ -74,7 +74,7 @@ std::string BopImage::record() const {
 }
 
 BopImage BopImage::fromRecord(const std::string& record) {
-  const Json json = Json::parse(record);
+  const Json json = parsedJson<Json>(record);
   BopImage image;
   json.at(0).get_to(image.split);
   json.at(1).get_to(image.folder);

@@ -147,7 +147,7 @@ json CocoIndex::entryAt(const Place& place) const {
       !stream.read(text.data(), static_cast<std::streamsize>(text.size()))) {
     throw Error("'" + file_.string() + "': cannot be read");
   }
-  return readingJson(file_, [&] { return json::parse(text); });
+  return readingJson(file_, [&] { return parsedJson<json>(text); });
 }
 
 }  // namespace synthetic_dataset::formats::coco

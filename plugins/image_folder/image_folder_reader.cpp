@@ -46,7 +46,7 @@ LineIndex::LineIndex(const std::filesystem::path& file) : file_(file) {
   readingJson(file, [&] {
     for (std::string text; std::getline(stream, text);) {
       if (!text.empty()) {
-        begins_.emplace(json::parse(text).at("file_name").get<std::string>(), begin);
+        begins_.emplace(parsedJson<json>(text).at("file_name").get<std::string>(), begin);
       }
       begin += static_cast<std::int64_t>(text.size()) + 1;
     }
@@ -63,7 +63,7 @@ json LineIndex::line(const std::string& file_name) const {
   if (!stream.seekg(found->second) || !std::getline(stream, text)) {
     throw Error("'" + file_.string() + "': cannot be read");
   }
-  return readingJson(file_, [&] { return json::parse(text); });
+  return readingJson(file_, [&] { return parsedJson<json>(text); });
 }
 
 CameraModel cameraOf(const json& line) {

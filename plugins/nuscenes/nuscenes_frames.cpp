@@ -49,7 +49,7 @@ std::string recordOf(const Frame& frame) {
 }
 
 Frame frameOf(std::int64_t scene, const std::string& record) {
-  const Json content = Json::parse(record);
+  const Json content = parsedJson<Json>(record);
   Frame frame;
   frame.scene = scene;
   frame.instant = content.at("instant").get<std::int64_t>();

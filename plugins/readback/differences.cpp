@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "plugins/shared/json.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats {
@@ -172,9 +173,9 @@ void compareNumbers(const std::string& found, const std::string& right,
 /// A line that is JSON as such, others as text.
 void compareRecordLine(const std::string& found, const std::string& right, const std::string& where,
                        Differences& differences, const std::string& other) {
-  const json one = json::parse(found, nullptr, false);
-  const json two = json::parse(right, nullptr, false);
-  const json another = json::parse(other, nullptr, false);
+  const json one = jsonIfAny(found);
+  const json two = jsonIfAny(right);
+  const json another = jsonIfAny(other);
   if (one.is_structured() && two.is_structured() && another.is_structured()) {
     compareJson(one, two, where, differences, &another);
   } else {
@@ -212,8 +213,8 @@ void compareJsonLines(const std::string& found, const std::string& right, const 
   }
   for (std::size_t i = 0; i < std::min({lines.size(), right_lines.size(), others.size()}); ++i) {
     if (lines[i] == right_lines[i]) continue;
-    const json another = json::parse(others[i]);
-    compareJson(json::parse(lines[i]), json::parse(right_lines[i]),
+    const json another = parsedJson<json>(others[i]);
+    compareJson(parsedJson<json>(lines[i]), parsedJson<json>(right_lines[i]),
                 name + ", line " + std::to_string(i + 1), differences, &another);
   }
 }
@@ -291,8 +292,8 @@ void compareContents(const std::string& found, const std::string& right, const s
   if (found == right) return;
   try {
     if (endsWith(name, ".json")) {
-      const json another = json::parse(other != nullptr ? *other : right);
-      compareJson(json::parse(found), json::parse(right), name, differences, &another);
+      const json another = parsedJson<json>(other != nullptr ? *other : right);
+      compareJson(parsedJson<json>(found), parsedJson<json>(right), name, differences, &another);
     } else if (endsWith(name, ".jsonl")) {
       compareJsonLines(found, right, name, differences, other);
     } else if (isText(right)) {
@@ -305,6 +306,8 @@ void compareContents(const std::string& found, const std::string& right, const s
       differences.add(name + ": found other bytes");
     }
   } catch (const json::exception& error) {
+    throw Error("'" + name + "': " + error.what());
+  } catch (const UnfitJson& error) {
     throw Error("'" + name + "': " + error.what());
   }
 }

@@ -2,31 +2,25 @@
 
 #include <filesystem>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "plugins/readback/files.h"
+#include "plugins/shared/json.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats {
 
-/// A number in JSON that is not what it should be.
-class UnfitNumber : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// A whole number that fits. (nlohmann's conversion takes any number: of 1e99, whatever comes.)
-/// @throws UnfitNumber, or nlohmann's exception where it is no number
+/// @throws UnfitJson, or nlohmann's exception where it is no number
 template <class Integer = int>
 [[nodiscard]] Integer integerOf(const nlohmann::json& value) {
   using Limits = std::numeric_limits<Integer>;
   const auto number = value.get<double>();
   const bool fits = value.is_number_integer() && number >= static_cast<double>(Limits::min()) &&
                     number <= static_cast<double>(Limits::max());
-  if (!fits) throw UnfitNumber("found the number " + value.dump() + " where none such can be");
+  if (!fits) throw UnfitJson("found the number " + value.dump() + " where none such can be");
   return value.get<Integer>();
 }
 
@@ -38,7 +32,7 @@ auto readingJson(const std::filesystem::path& file, const Read& read) {
     return read();
   } catch (const nlohmann::json::exception& error) {
     throw Error("'" + file.string() + "': " + error.what());
-  } catch (const UnfitNumber& error) {
+  } catch (const UnfitJson& error) {
     throw Error("'" + file.string() + "': " + error.what());
   }
 }
@@ -47,7 +41,7 @@ auto readingJson(const std::filesystem::path& file, const Read& read) {
 /// @throws Error naming the file where it is no JSON, or not what `read` looks for
 template <class Read>
 auto readJson(const std::filesystem::path& file, const Read& read) {
-  return readingJson(file, [&] { return read(nlohmann::json::parse(readText(file))); });
+  return readingJson(file, [&] { return read(parsedJson<nlohmann::json>(readText(file))); });
 }
 
 }  // namespace synthetic_dataset::formats

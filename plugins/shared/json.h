@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <string>
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include "base/nesting.h"
 #include "plugins/shared/ordered_map.h"
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/pose.h"
@@ -14,6 +16,26 @@ namespace synthetic_dataset {
 
 /// Keys are written in the order in which they were added.
 using Json = nlohmann::basic_json<OrderedMap>;
+
+/// JSON that is not what it should be, or more than can be read.
+class UnfitJson : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a text says; the only way from a text to JSON, as a text may be anybody's.
+/// @throws UnfitJson where it nests too deep, nlohmann's exception where it is none
+template <class AnyJson>
+[[nodiscard]] AnyJson parsedJson(const std::string& text) {
+  if (base::isDeepJson(text)) throw UnfitJson(base::kNestedTooDeep);
+  return AnyJson::parse(text);
+}
+
+/// The same, but what cannot be read is `discarded`.
+[[nodiscard]] inline nlohmann::json jsonIfAny(const std::string& text) {
+  if (base::isDeepJson(text)) return {nlohmann::json::value_t::discarded};
+  return nlohmann::json::parse(text, nullptr, false);
+}
 
 /// On one line. Bytes of a name that are not UTF-8 become U+FFFD, as JSON has to be UTF-8.
 [[nodiscard]] inline std::string jsonText(const Json& value) {

@@ -6,6 +6,7 @@
 
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
+#include "plugins/shared/json.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::ultralytics {
@@ -34,7 +35,7 @@ DatasetYaml readYaml(const fs::path& file) {
     const std::size_t colon = line.find(": \"");
     if (!is_name || colon == std::string::npos) continue;
     // Between its quotes, YAML reads what JSON does.
-    const auto name = nlohmann::json::parse(line.substr(colon + 2), nullptr, false);
+    const auto name = jsonIfAny(line.substr(colon + 2));
     if (!name.is_string()) throw Error("'" + file.string() + "': found the line '" + line + "'");
     yaml.names[line.substr(2, colon - 2)] = name.get<std::string>();
   }

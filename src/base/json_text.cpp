@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/nesting.h"
 #include "base/printable_text.h"
 #include "synthetic_dataset/errors.h"
 
@@ -51,7 +52,7 @@ std::string textOf(const Value& value, Dialect dialect) {
     return dialect == Dialect::kStrict && !std::isfinite(*number) ? quoted(text) : text;
   }
   if (const auto* text = value.as<std::string>()) {
-    return quoted(dialect == Dialect::kStrict ? printable(*text) : *text);
+    return quoted(dialect == Dialect::kStrict ? asUtf8(*text) : *text);
   }
   std::string result;
   if (const auto* list = value.as<Value::List>()) {
@@ -63,7 +64,7 @@ std::string textOf(const Value& value, Dialect dialect) {
   if (const auto* map = value.as<Value::Map>()) {
     for (const auto& [name, entry] : *map) {
       result += (result.empty() ? "" : ", ") +
-                quoted(dialect == Dialect::kStrict ? printable(name) : name) + ": " +
+                quoted(dialect == Dialect::kStrict ? asUtf8(name) : name) + ": " +
                 textOf(entry, dialect);
     }
     return "{" + result + "}";
@@ -107,6 +108,7 @@ std::string jsonText(const Value& value) { return textOf(value, Dialect::kYaml);
 std::string strictJsonText(const Value& value) { return textOf(value, Dialect::kStrict); }
 
 Value parseJson(const std::string& text, const std::string& origin) {
+  if (isDeepJson(text)) throw Error(origin + ": " + kNestedTooDeep);
   try {
     return valueOf(nlohmann::json::parse(text));
   } catch (const nlohmann::json::exception& error) {

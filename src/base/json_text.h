@@ -17,7 +17,7 @@ namespace synthetic_dataset::base {
 /// Reads JSON (RFC 8259). The texts ".inf", "-.inf" and ".nan" are numbers, as strictJsonText
 /// writes them.
 /// @param origin  for messages
-/// @throws Error when it is none
+/// @throws Error when it is none, or nests too deep
 [[nodiscard]] Value parseJson(const std::string& text, const std::string& origin);
 
 }  // namespace synthetic_dataset::base

@@ -28,23 +28,41 @@ std::size_t lengthOfCharacter(std::string_view text, std::size_t at) {
   return is_overlong || is_none ? 0 : length;
 }
 
-}  // namespace
+/// U+0000 to U+001F, U+007F to U+009F.
+bool isControl(std::string_view character) {
+  const unsigned first = byteAt(character, 0);
+  if (first == '\n' || first == '\t') return false;
+  return first < 0x20U || first == 0x7FU || (first == 0xC2U && byteAt(character, 1) < 0xA0U);
+}
 
-std::string printable(std::string_view text) {
+/// @param isUnwanted  of a character: its bytes are escaped
+template <class Predicate>
+std::string escaped(std::string_view text, const Predicate& isUnwanted) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = lengthOfCharacter(text, at);
-    if (length > 0) {
-      result += text.substr(at, length);
+    const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
+    if (length > 0 && !isUnwanted(character)) {
+      result += character;
     } else {
-      const unsigned byte = byteAt(text, at);
-      result += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 0xFU]};
+      for (const char c : character) {
+        const auto byte = static_cast<unsigned char>(c);
+        result += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 0xFU]};
+      }
     }
-    at += std::max<std::size_t>(length, 1);
+    at += character.size();
   }
   return result;
 }
+
+}  // namespace
+
+std::string asUtf8(std::string_view text) {
+  return escaped(text, [](std::string_view) { return false; });
+}
+
+std::string printable(std::string_view text) { return escaped(text, isControl); }
 
 void printUtf8() {
   for (const char* locale : {"C.UTF-8", "C.utf8", "en_US.UTF-8"}) {

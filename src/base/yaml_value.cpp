@@ -13,13 +13,12 @@
 
 #include "base/angle_expression.h"
 #include "base/input_file.h"
+#include "base/nesting.h"
 #include "base/yaml_scalar.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
 namespace {
-
-constexpr int kDeepestNesting = 64;
 
 /// How many values and letters a text may grow to by its aliases, which multiply: this many times
 /// its own length, but a short one to this much.
@@ -77,8 +76,7 @@ class Reader {
 
   void checkSize(const YAML::Node& node, int depth) {
     if (depth > kDeepestNesting) {
-      fail(node.Mark(), "nested deeper than " + std::to_string(kDeepestNesting) +
-                            " levels (does it hold itself?)");
+      fail(node.Mark(), std::string(kNestedTooDeep) + " (does it hold itself?)");
     }
     take(1 + (node.IsScalar() ? node.Scalar().size() : 0), node.Mark());
   }
@@ -240,7 +238,8 @@ std::string withEndMark(const std::string& text) {
   return is_at_line_start ? text + "...\n" : text;
 }
 
-/// Remembers where the document that was parsed last begins.
+/// Remembers where the document that was parsed last begins, and ends the parsing of one that nests
+/// too deep.
 class DocumentStart : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark& place) override { mark = place; }
@@ -249,18 +248,30 @@ class DocumentStart : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
   void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
                 const std::string& /*value*/) override {}
-  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
-                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                  YAML::EmitterStyle::value /*style*/) override {}
-  void OnMapEnd() override {}
+  void OnSequenceStart(const YAML::Mark& place, const std::string& /*tag*/,
+                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {
+    enter(place);
+  }
+  void OnSequenceEnd() override { --depth_; }
+  void OnMapStart(const YAML::Mark& place, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {
+    enter(place);
+  }
+  void OnMapEnd() override { --depth_; }
 
   YAML::Mark mark;
+
+ private:
+  void enter(const YAML::Mark& place) {
+    if (++depth_ > kDeepestNesting) throw YAML::ParserException(place, kNestedTooDeep);
+  }
+
+  int depth_ = 0;
 };
 
 /// Where the first document is over and another one begins. (YAML::LoadAll never comes to an end
 /// with a stray ',' or '}', of which it makes one empty document after another.)
+/// @throws YAML::Exception where the first one cannot be read, or nests too deep for YAML::Load
 std::optional<YAML::Mark> secondDocument(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -307,11 +318,10 @@ Value parse(const std::string& text, const std::string& origin, Rules rules,
   Reader reader(rules, text, origin, remark);
   try {
     const std::string whole = withEndMark(text);
+    const auto second = secondDocument(whole);
     const YAML::Node document = YAML::Load(whole);
-    if (rules == Rules::kSettings) {
-      if (const auto mark = secondDocument(whole)) {
-        reader.fail(*mark, "a second document begins; settings are a single one");
-      }
+    if (rules == Rules::kSettings && second) {
+      reader.fail(*second, "a second document begins; settings are a single one");
     }
     return document.IsNull() ? Value() : reader.convert(document);
   } catch (const YAML::Exception& error) {

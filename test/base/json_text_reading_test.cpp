@@ -1,5 +1,7 @@
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +34,20 @@ TEST(JsonValue, NamesWhatIsNoJson) {
   const auto messages = test::messagesOf([] { (void)parseJson("{a: 1}", "the request"); });
   ASSERT_EQ(1U, messages.size());
   EXPECT_EQ(0U, messages.front().find("the request: found no JSON: "));
+}
+
+TEST(JsonValue, RefusesWhatNestsWithoutBound) {
+  const auto errorsOf = [](const std::string& text) {
+    return test::messagesOf([&] { (void)parseJson(text, "the request"); });
+  };
+  const std::vector<std::string> refusal = {"the request: nested deeper than 400 levels"};
+  EXPECT_EQ(refusal, errorsOf(std::string(20000, '[') + std::string(20000, ']')));
+  EXPECT_EQ(refusal, errorsOf(std::string(401, '[') + std::string(401, ']')));
+  std::string groups;
+  for (int i = 0; i < 10000; ++i) groups += "{\"]\\\"]\": ";  // with brackets in their names
+  EXPECT_EQ(refusal, errorsOf(groups));
+  EXPECT_TRUE(errorsOf(std::string(400, '[') + std::string(400, ']')).empty());
+  EXPECT_TRUE(errorsOf("\"" + std::string(20000, '[') + "\"").empty());
 }
 
 }  // namespace

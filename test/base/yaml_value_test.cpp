@@ -75,10 +75,20 @@ TEST(ParseYaml, KeepsWhatEndsWithTheFile) {
 }
 
 TEST(ParseYaml, RefusesWhatNestsWithoutBound) {
-  EXPECT_THAT(test::messagesOf([] {
-                return parseYaml(std::string(100, '[') + std::string(100, ']'), "my.yaml");
-              }),
-              testing::ElementsAre(HasSubstr("nested deeper")));
+  const auto errorsOf = [](const std::string& text) {
+    return test::messagesOf([&] { return parseYaml(text, "my.yaml"); });
+  };
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  EXPECT_THAT(errorsOf(nested(400)), testing::IsEmpty());
+  EXPECT_THAT(errorsOf(nested(401)), testing::ElementsAre(HasSubstr("nested deeper")));
+  EXPECT_THAT(errorsOf(nested(50000)), testing::ElementsAre(HasSubstr("nested deeper")));
+  EXPECT_THAT(errorsOf(std::string(50000, '[')), testing::ElementsAre(HasSubstr("nested deeper")));
+  std::string dashes;
+  for (int i = 0; i < 2000; ++i) dashes += "- ";
+  EXPECT_THAT(errorsOf(dashes + "x"), testing::ElementsAre(HasSubstr("nested deeper")));
+  EXPECT_THAT(errorsOf("&a [*a]"), testing::ElementsAre(HasSubstr("does it hold itself?")));
 }
 
 TEST(ParseYaml, MergesGroups) {

@@ -8,6 +8,7 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include "base/nesting.h"
 #include "base/yaml_text/yaml_scan.h"
 #include "synthetic_dataset/errors.h"
 
@@ -33,12 +34,12 @@ class OutlineBuilder : public YAML::EventHandler {
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value /*style*/) override {
-    open_.push_back({part(YamlPart::Kind::kList, mark, anchor), std::nullopt});
+    open(YamlPart::Kind::kList, mark, anchor);
   }
   void OnSequenceEnd() override { close(); }
   void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value /*style*/) override {
-    open_.push_back({part(YamlPart::Kind::kMap, mark, anchor), std::nullopt});
+    open(YamlPart::Kind::kMap, mark, anchor);
   }
   void OnMapEnd() override { close(); }
 
@@ -57,6 +58,11 @@ class OutlineBuilder : public YAML::EventHandler {
     result.begin = static_cast<std::size_t>(mark.pos) + shift_;
     result.anchor = anchor;
     return result;
+  }
+
+  void open(YamlPart::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (open_.size() == kDeepestNesting) throw YAML::ParserException(mark, kNestedTooDeep);
+    open_.push_back({part(kind, mark, anchor), std::nullopt});
   }
 
   void close() {

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <map>
+#include <variant>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 
+#include "base/json_text.h"
+#include "base/nesting.h"
+#include "base/sandbox/sandboxed_process.h"
 #include "scene/calibration/calibration_format.h"
 #include "scene/calibration/calibration_names.h"
 #include "synthetic_dataset/errors.h"
@@ -29,10 +33,8 @@ const std::map<std::string, std::string>& openCvNames() {
   return names;
 }
 
-constexpr int kDeepestNode = 16;
-
 Value valueOf(const cv::FileNode& node, int depth = 0) {
-  if (depth > kDeepestNode) throw Error("it nests too deep");
+  if (depth > base::kDeepestNesting) throw Error(base::kNestedTooDeep);
   if (node.isInt()) return Value(static_cast<int>(node));
   if (node.isReal()) return Value(static_cast<double>(node));
   if (node.isString()) return Value(static_cast<std::string>(node));
@@ -177,14 +179,27 @@ std::string marked(const std::string& text) {
   return "%YAML:1.0\n---\n" + text.substr(beginsWith(text, "---") ? text.find("---") + 3 : 0);
 }
 
-std::vector<ListedCamera> readOpenCvCalibration(const std::string& text, const std::string& file) {
-  Value storage;
-  try {
-    const cv::FileStorage opened(marked(text), cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    storage = valueOf(opened.root());
-  } catch (const cv::Exception& error) {
-    throw Error(file + ": OpenCV's FileStorage cannot read it: " + error.err);
+/// What FileStorage reads, in a sandbox: it crashes on texts that nest deep, and on others.
+Value storageOf(const std::string& text, const std::string& file) {
+  const auto read = [&]() -> std::string {
+    try {
+      const cv::FileStorage opened(marked(text), cv::FileStorage::READ | cv::FileStorage::MEMORY);
+      return base::strictJsonText(valueOf(opened.root()));
+    } catch (const Error& error) {
+      throw Error(file + ": " + error.what());
+    } catch (const cv::Exception& error) {
+      throw Error(file + ": OpenCV's FileStorage cannot read it: " + error.err);
+    }
+  };
+  const auto result = base::runSandboxed(read, {});
+  if (const auto* crash = std::get_if<base::Crash>(&result)) {
+    throw Error(file + ": OpenCV's FileStorage " + crash->how + " on it");
   }
+  return base::parseJson(std::get<std::string>(result), file);
+}
+
+std::vector<ListedCamera> readOpenCvCalibration(const std::string& text, const std::string& file) {
+  const Value storage = storageOf(text, file);
   if (const auto* map = storage.as<Value::Map>()) {
     std::vector<ListedCamera> cameras = camerasOf(*map);
     if (!cameras.empty()) return cameras;

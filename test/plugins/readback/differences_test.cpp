@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "support/error_messages.h"
+
 namespace synthetic_dataset::formats {
 namespace differences_test {
 
@@ -33,6 +35,22 @@ TEST(JsonDifferences, NameTheValueAndWhatItShouldBe) {
               ElementsAre(R"(file/a: found "x"; it should be "y")"));
   EXPECT_THAT(differencesOf({{"a", 1.0}}, {{"a", 1}}),
               ElementsAre("file/a: found 1.0; it should be 1"));
+}
+
+TEST(JsonDifferences, RefuseWhatNestsWithoutBound) {
+  const std::string deep = std::string(50000, '[') + std::string(50000, ']');
+  const auto errorsOf = [&](const std::string& name) {
+    return test::messagesOf([&] {
+      Differences differences;
+      compareContents(deep, "{}", name, differences);
+    });
+  };
+  EXPECT_THAT(errorsOf("camera.json"), ElementsAre("'camera.json': nested deeper than 400 levels"));
+  EXPECT_THAT(errorsOf("metadata.jsonl"),
+              ElementsAre("'metadata.jsonl': nested deeper than 400 levels"));
+  Differences differences;
+  compareRecords(deep, "{}", "a record", differences);
+  EXPECT_EQ(1U, differences.lines().size());
 }
 
 TEST(JsonDifferences, AreValuesThatLackAndValuesThatNobodyKnows) {

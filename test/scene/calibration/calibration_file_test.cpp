@@ -228,6 +228,23 @@ TEST_F(CalibrationFile, ThatOpenCvCannotReadSaysSo) {
               ElementsAre(HasSubstr("found no camera matrix")));
 }
 
+/// OpenCV's own parsers end the program.
+TEST_F(CalibrationFile, OfOpenCvThatNestsWithoutBoundIsRefused) {
+  const auto repeated = [](const std::string& part, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += part;
+    return text;
+  };
+  const std::string xml = "<?xml version=\"1.0\"?>\n<opencv_storage>\n";
+  EXPECT_THAT(errorsOf(xml + repeated("<a>", 50000) + "1" + repeated("</a>", 50000)),
+              ElementsAre(HasSubstr("OpenCV's FileStorage")));
+  EXPECT_THAT(
+      errorsOf(xml + repeated("<a>", 450) + "1" + repeated("</a>", 450) + "</opencv_storage>"),
+      ElementsAre(HasSubstr("nested deeper than 400 levels")));
+  EXPECT_THAT(errorsOf("%YAML:1.0\n---\ncamera_matrix: " + repeated("[", 50000)),
+              ElementsAre(HasSubstr("camera")));
+}
+
 TEST_F(CalibrationFile, IsFoundBelowAGroupAndLacksNothingButItsSize) {
   const std::string group =
       "fisheye:\n  camera_matrix: {rows: 3, cols: 3, data: [900, 0, 640, 0, 900, 360, 0, 0, 1]}\n"
