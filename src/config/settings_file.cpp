@@ -129,24 +129,27 @@ bool replaces(const Value::Map& over, const Value::Map& below) {
   return isDistribution(over) || (isDistribution(below) && !holdsAny(over, kBeside));
 }
 
-Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
+Value::Map loadOver(const std::string& file, const SettingsSources& sources,
                     const base::Remark& remark, std::vector<std::string> above) {
   std::error_code problem;  // which reading the file reports
   const std::string place = std::filesystem::weakly_canonical(file, problem).string();
   if (std::find(above.begin(), above.end(), place) != above.end()) {
     throw Error(file + ": include: found a file that includes itself");
   }
+  if (!above.empty()) sources.admit(file);
   above.push_back(place);
   const std::string bytes = base::readInput(file);
   const std::string fault = base::textFault(bytes);
   if (!fault.empty()) throw Error(file + ": " + fault);
   const std::string text = withPlainLineEnds(bytes);
   Value::Map own = asParameters(
-      base::parseSettings(substitute(text, {file, package_folder}), file, remark), file);
+      base::parseSettings(substitute(text, {file, sources.package_folder, sources.environment}),
+                          file, remark),
+      file);
   Value::Map settings;
   for (const std::string& name : takeIncluded(own, file)) {
     const auto folder = std::filesystem::path(file).parent_path();
-    overlay(settings, loadOver((folder / name).string(), package_folder, remark, above));
+    overlay(settings, loadOver((folder / name).string(), sources, remark, above));
   }
   overlay(settings, own);
   return settings;
@@ -154,9 +157,16 @@ Value::Map loadOver(const std::string& file, const TextFinder& package_folder,
 
 }  // namespace
 
+Value::Map loadSettings(const std::string& file, const SettingsSources& sources,
+                        const base::Remark& remark) {
+  return loadOver(file, sources, remark, {});
+}
+
 Value::Map loadSettings(const std::string& file, const TextFinder& package_folder,
                         const base::Remark& remark) {
-  return loadOver(file, package_folder, remark, {});
+  SettingsSources sources;
+  sources.package_folder = package_folder;
+  return loadSettings(file, sources, remark);
 }
 
 Value::Map asParameters(const Value& tree, const std::string& origin) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "base/yaml_value.h"
@@ -8,14 +9,25 @@
 
 namespace synthetic_dataset::config {
 
+/// What the settings of a file come from, beside it.
+struct SettingsSources {
+  TextFinder package_folder;                     ///< where ROS packages are
+  TextFinder environment = environmentVariable;  ///< may throw Error
+  /// Gets each file that is included before it is read, and throws Error where it may not be.
+  std::function<void(const std::string& file)> admit = [](const std::string&) {};
+};
+
 /// The settings of a YAML file as roslaunch would load them into the parameter server:
 /// substitutions filled in, read as `<rosparam>` does, kept as the server keeps them (see
 /// asParameters). The files that its setting `include` names, one or a list, lie below it: their
 /// settings count where it has none of its own; of several, those of the later ones.
 /// @param file  may be relative to the current folder
-/// @param package_folder  where ROS packages are
 /// @param remark  as parseSettings() has it
 /// @throws Error naming file and line; for a file that includes itself, too
+[[nodiscard]] Value::Map loadSettings(const std::string& file, const SettingsSources& sources,
+                                      const base::Remark& remark = {});
+
+/// The same with the environment of this process, and any file included.
 [[nodiscard]] Value::Map loadSettings(const std::string& file, const TextFinder& package_folder,
                                       const base::Remark& remark = {});
 

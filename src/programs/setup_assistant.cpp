@@ -49,10 +49,10 @@ int serve(const programs::AssistantOptions& options) {
   const programs::AccessCheck access(token, options.address, server.port());
   programs::Assistant assistant(std::filesystem::absolute(options.file).lexically_normal().string(),
                                 options.folders, programs::EmbeddedFiles(options.page_folder));
-  server.serve([&](const programs::HttpRequest& request) {
-    const auto refused = access.answer(request);
-    return refused ? *refused : assistant.answer(request);
-  });
+  server.serve([&](const programs::HttpRequest& request) { return access.answer(request); },
+               [&](const programs::HttpRequest& request) {
+                 return assistant.answer(access.inside(request));
+               });
   std::cout << "http://" << hostIn(options.address) << ":" << server.port() << "/?token=" << token
             << std::endl;
   int signal = 0;
@@ -72,7 +72,8 @@ int main(int argc, char** argv) {
   try {
     options = programs::parseAssistantLine({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::cerr << "setup_assistant: " << error.what() << '\n' << programs::assistantUsage();
+    std::cerr << "setup_assistant: " << base::printable(error.what()) << '\n'
+              << programs::assistantUsage();
     return 1;
   }
   if (options.wants_help) {

@@ -30,13 +30,23 @@ class Server:
         self.address = self.process.stdout.readline().strip()
         host, self.token = self.address.split('//')[1].split('/?token=')
         self.port = int(host.split(':')[1])
+        self.page, self.cookie = self._visit()
+
+    def _visit(self):
+        """The page's folder, and the cookie that a browser would have."""
+        connection = http.client.HTTPConnection('127.0.0.1', self.port,
+                                                timeout=ros_programs.TIMEOUT)
+        connection.request('GET', f'/?token={self.token}')
+        answer = connection.getresponse()
+        connection.close()
+        return answer.getheader('Location').rstrip('/'), answer.getheader('Set-Cookie').split(';')[0]
 
     def ask(self, path, body=None, headers=None):
         """Status and text."""
         connection = http.client.HTTPConnection('127.0.0.1', self.port,
                                                 timeout=ros_programs.TIMEOUT)
-        cookie = {'Cookie': f'synthetic_dataset_{self.port}={self.token}'}
-        connection.request('GET' if body is None else 'POST', path,
+        cookie = {'Cookie': self.cookie}
+        connection.request('GET' if body is None else 'POST', self.page + path,
                            body=None if body is None else json.dumps(body),
                            headers=cookie if headers is None else headers)
         answer = connection.getresponse()
@@ -96,8 +106,12 @@ class SetupAssistant(unittest.TestCase):
         begin = time.monotonic()
         server = self.serve(self.settings('token'))
         self.assertLess(time.monotonic() - begin, 5.0)
-        for path in ('/', '/api/state', '/page/main.js', '/no/such/path', '/api/events'):
-            self.assertEqual(server.ask(path, headers={}), (403, b''))
+        folder = server.page
+        for server.page in (folder, ''):
+            for path in ('/', '/api/state', '/page/main.js', '/no/such/path', '/api/events'):
+                self.assertEqual(server.ask(path, headers={}), (403, b''))
+        self.assertEqual(server.ask('/api/state')[0], 403)  # outside of the cookie's folder
+        server.page = folder
         self.assertEqual(server.ask('/api/set', body={}, headers={})[0], 403)
         wrong = {'Cookie': f'synthetic_dataset_{server.port}=0'}
         self.assertEqual(server.ask('/api/state', headers=wrong)[0], 403)

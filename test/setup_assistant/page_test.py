@@ -4,6 +4,7 @@
 
 FOLDER gets a screenshot of each pane, narrow and wide, light and dark.
 """
+import http.server
 import math
 import pathlib
 import re
@@ -11,6 +12,7 @@ import shutil
 import signal
 import sys
 import tempfile
+import threading
 import unittest
 import urllib.error
 import urllib.request
@@ -113,7 +115,7 @@ class SettingsFile(WithPage):
         first = self.driver.current_window_handle
         self.driver.switch_to.new_window('tab')
         second = self.driver.current_window_handle
-        self.page.open(self.assistant.address)
+        self.page.open(self.driver.current_url)
         self.page.type('simulated_rate', '2.5')
         self.driver.switch_to.window(first)
         self.page.wait(lambda: self.page.input('simulated_rate').get_attribute('value') == '2.5', 'the first page')
@@ -126,16 +128,18 @@ class SettingsFile(WithPage):
         revision = self.page.revision()
         self.page.type_yaml(text.replace('global_frame: map', 'global_frame: odom'))
         # Before the page has sent what was typed, which it does after a pause.
-        post(self.assistant, '/api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % revision)
+        post(self.driver, 'api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % revision)
         self.page.wait(lambda: 'changed elsewhere' in self.page.text('#yaml'), 'the question')
         self.assertIn('global_frame: odom', self.page.yaml())
         self.page.click('#yaml button', 'Take theirs')
         self.page.wait(lambda: 'seed: 7' in self.page.yaml() and 'global_frame: map' in self.page.yaml(), 'their text')
 
 
-def post(assistant, path, body):
-    request = urllib.request.Request(assistant.address.rstrip('/') + path, body.encode(), {
-        'Content-Type': 'application/json', 'Cookie': f'synthetic_dataset_{assistant.port}={assistant.token}'})
+def post(driver, path, body):
+    """As another page of the same browser would."""
+    cookie = next(each for each in driver.get_cookies() if each['name'].startswith('synthetic_dataset_'))
+    request = urllib.request.Request(driver.current_url.split('#')[0] + path, body.encode(), {
+        'Content-Type': 'application/json', 'Cookie': f'{cookie["name"]}={cookie["value"]}'})
     return urllib.request.urlopen(request)
 
 
@@ -151,7 +155,27 @@ class Token(WithPage):
 
     def test_does_not_stay_in_the_address(self):
         self.assertNotIn('token', self.driver.current_url)
-        self.page.open(self.assistant.address)
+        self.assertNotIn(self.assistant.token, self.driver.current_url)
+        self.page.open(self.driver.current_url)
+
+    def test_is_not_for_other_ports(self):
+        """Another user's server on this machine, whose page the browser opens."""
+        class Other(http.server.BaseHTTPRequestHandler):
+            cookies = []
+
+            def do_GET(self):
+                self.cookies.append(self.headers.get('Cookie', ''))
+                self.send_response(200)
+                self.end_headers()
+
+            def log_message(self, *_):
+                pass
+
+        with http.server.HTTPServer(('127.0.0.1', 0), Other) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            self.driver.get(f'http://127.0.0.1:{server.server_port}/')
+            server.shutdown()
+        self.assertEqual({''}, set(Other.cookies))
 
 
 class Server(WithPage):
@@ -211,7 +235,7 @@ class Problems(WithPage):
 
     def set(self, path, value):
         before = self.page.revision()
-        self.page.script('const [path, value] = arguments; import("/page/store.js").then(({set}) => set(path, value))', path, value)
+        self.page.script('const [path, value] = arguments; import("./page/store.js").then(({set}) => set(path, value))', path, value)
         self.page.wait(lambda: self.page.revision() > before, 'the change')
 
     def link_to(self, pane):
@@ -338,7 +362,7 @@ class Modules(WithPage):
     def evaluate(self, module, expression):
         return self.driver.execute_async_script(
             'const [module, expression, done] = arguments;'
-            'import(`/page/${module}`).then((names) => done(Object.getOwnPropertyDescriptor(names, expression[0])'
+            'import(`./page/${module}`).then((names) => done(Object.getOwnPropertyDescriptor(names, expression[0])'
             '.value(...expression[1])), (error) => done(String(error)));', module, expression)
 
     def test_read_and_write_values_in_one_line(self):

@@ -186,7 +186,7 @@ class WholeWay(unittest.TestCase):
         self.output_to(there)
         self.page.wait(lambda: f'{there} holds a dataset' in self.page.text('#pane'), 'the other dataset to be named')
         self.assertNotIn('Remove and start', self.page.text('#pane'))
-        answer = self.page.script('''return fetch("/api/run/start", {method: "POST",
+        answer = self.page.script('''return fetch("api/run/start", {method: "POST",
             headers: {"Content-Type": "application/json"}, body: JSON.stringify({replace: arguments[0]})})
             .then(answer => answer.json())''', here)
         self.assertIn('the output folder has changed', answer['error'])

@@ -33,7 +33,7 @@ Assistant::Assistant(const std::string& file, const std::vector<std::string>& fo
                      EmbeddedFiles page)
     : allowed_(file, folders),
       page_(std::move(page)),
-      document_(file,
+      document_(file, allowed_,
                 [this] {
                   publish("state", document_.state());
                   live_->refresh();

@@ -1,6 +1,7 @@
 #include "programs/setup_assistant/assistant.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "base/json_text.h"
 #include "base/yaml_text/yaml_rendering.h"
+#include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "support/tiny_run.h"
 
@@ -96,7 +98,7 @@ TEST(Assistant, ShowsWhatTheRunWillMake) {
   EXPECT_EQ(Value(true), memberOf(setup, "ready")) << base::jsonText(setup);
   const Value scene = open.get("/api/scene", {{"instant", "2"}});
   EXPECT_EQ(memberOf(open.get("/api/state"), "revision"), memberOf(scene, "revision"));
-  const HttpResponse picture = open.fetch(memberOf(scene, "picture").text());
+  const HttpResponse picture = open.fetch("/" + memberOf(scene, "picture").text());
   EXPECT_EQ("image/jpeg", picture.type);
   EXPECT_EQ("\xFF\xD8", picture.body.substr(0, 2));  // a JPEG's first marker
 }
@@ -106,9 +108,9 @@ TEST(Assistant, ShowsWhatTheFilesHold) {
   EXPECT_FALSE(memberOf(open.get("/api/recording"), "frames").as<Value::List>()->empty());
   const Value world = open.get("/api/world");
   EXPECT_FALSE(memberOf(world, "models").as<Value::List>()->empty());
-  EXPECT_EQ("image/png", open.fetch(memberOf(world, "map").text()).type);
+  EXPECT_EQ("image/png", open.fetch("/" + memberOf(world, "map").text()).type);
   const Value model = open.get("/api/model", {{"object", "alpha"}, {"width", "200"}});
-  EXPECT_EQ("image/jpeg", open.fetch(memberOf(model, "picture").text()).type);
+  EXPECT_EQ("image/jpeg", open.fetch("/" + memberOf(model, "picture").text()).type);
   const Value draws = open.get("/api/draws", {{"count", "2"}});
   EXPECT_EQ(2U, memberOf(draws, "pictures").as<Value::List>()->size());
   EXPECT_EQ(404, statusOf(open, "GET", "/api/placement"));
@@ -156,6 +158,60 @@ TEST(Assistant, RefusesARunThatWritesElsewhere) {
   (void)open.set({Value("output_folder")}, (elsewhere / "dataset").string());
   EXPECT_EQ(403, statusOf(open, "POST", "/api/run/start"));
   EXPECT_EQ(Value("idle"), memberOf(open.get("/api/run"), "state"));
+}
+
+TEST(Assistant, RefusesAListOfAWriterThatLiesElsewhere) {
+  OpenAssistant open;
+  for (const char* list : {"../../../list.txt", "/etc/list.txt", "../../other/../../list.txt"}) {
+    (void)open.set({Value("yolo")}, Value::Map{{"main_list", Value(list)}});
+    EXPECT_EQ(403, statusOf(open, "POST", "/api/run/start")) << list;
+  }
+  EXPECT_EQ(Value("idle"), memberOf(open.get("/api/run"), "state"));
+}
+
+TEST(Assistant, ShowsNoFileOrVariableThatTheUserHasNotNamed) {
+  OpenAssistant open;
+  test::TemporaryFolder elsewhere;
+  elsewhere.write("key.yaml", "password: secret\n");
+  ::setenv("SYNTHETIC_DATASET_TEST_KEY", "secret", 1);
+  (void)open.set({Value("include")}, (elsewhere / "key.yaml").string());
+  EXPECT_EQ(std::string::npos, base::jsonText(open.get("/api/state")).find("secret"));
+  (void)open.set({Value("include")}, "../" + elsewhere.path().filename().string() + "/key.yaml");
+  EXPECT_EQ(std::string::npos, base::jsonText(open.get("/api/state")).find("secret"));
+  (void)open.post("/api/undo", Value::Map{});
+  (void)open.post("/api/undo", Value::Map{});
+  for (const char* text :
+       {"$(env SYNTHETIC_DATASET_TEST_KEY)", "$(optenv SYNTHETIC_DATASET_TEST_KEY x)"}) {
+    (void)open.set({Value("global_frame")}, text);
+    const std::string state = base::jsonText(open.get("/api/state"));
+    EXPECT_EQ(std::string::npos, state.find("secret"));
+    EXPECT_NE(std::string::npos,
+              base::jsonText(open.get("/api/setup")).find("SYNTHETIC_DATASET_TEST_KEY, which"));
+  }
+  // Somebody who may start programs as this user may have it shown.
+  Assistant again(open.file.string(), {}, EmbeddedFiles());
+  HttpRequest request;
+  request.method = "GET";
+  request.path = "/api/state";
+  EXPECT_NE(std::string::npos, again.answer(request).body.find("secret"));
+}
+
+TEST(Assistant, RefusesRequestsThatNestWithoutBound) {
+  OpenAssistant open;
+  const std::string deep = std::string(20000, '[') + std::string(20000, ']');
+  EXPECT_EQ(400, statusOf(open, "POST", "/api/set", deep));
+  EXPECT_EQ(400, statusOf(open, "POST", "/api/text", "{\"text\": " + deep + "}"));
+}
+
+TEST(Assistant, HasNoPageOfResultsBehindTheLast) {
+  OpenAssistant open;
+  run::Reporter silent;
+  (void)run::Generator(Value(open.run.parameters()), silent).run();
+  for (const char* page : {"400000000000000000", "-400000000000000000", "9223372036854775807"}) {
+    const Value result = open.get("/api/result", {{"page", page}});
+    const Value::List* scenes = memberOf(result, "scenes").as<Value::List>();
+    EXPECT_EQ(page[0] != '-', scenes->empty()) << page;
+  }
 }
 
 TEST(Assistant, SaysWhatItDoesNotHave) {

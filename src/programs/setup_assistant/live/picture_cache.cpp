@@ -20,7 +20,7 @@ std::string PictureCache::add(const cv::Mat& picture, const std::string& extensi
   const std::string name = mark_ + "-" + std::to_string(next_) + extension;
   pictures_[next_++] = {name, std::move(bytes)};
   if (pictures_.size() > kMostPictures) pictures_.erase(pictures_.begin());
-  return "/api/picture/" + name;
+  return "api/picture/" + name;
 }
 
 std::shared_ptr<const std::string> PictureCache::find(const std::string& name) const {

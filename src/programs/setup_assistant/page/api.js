@@ -34,7 +34,7 @@ export async function post(path, body = {}) {
 
 // Calls `listeners[name](data)` for each event, and `onConnection('live' | 'lost' | 'refused')`.
 export function listen(listeners, onConnection) {
-  const source = new EventSource('/api/events');
+  const source = new EventSource('api/events');
   source.onopen = () => onConnection('live');
   source.onerror = () => {
     onConnection('lost');
@@ -42,7 +42,7 @@ export function listen(listeners, onConnection) {
     if (source.readyState !== EventSource.CLOSED) return;
     setTimeout(async () => {
       try {
-        await get('/api/state');
+        await get('api/state');
         listen(listeners, onConnection);
       } catch (error) {
         if (error.status === 403)

@@ -32,7 +32,7 @@ function folderOf(path) {
 
 async function list(folder, kind) {
   try {
-    return await get('/api/files', {folder: folder || null, kind: kind === 'folder' ? 'any' : kind});
+    return await get('api/files', {folder: folder || null, kind: kind === 'folder' ? 'any' : kind});
   } catch (error) {
     return {folder: folder ?? '', parent: null, folders: [], files: [], error: error.message};
   }

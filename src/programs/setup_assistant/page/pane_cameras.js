@@ -90,7 +90,7 @@ const LENSES = [['info_file', 'Calibration file'], ['info_topic', 'Recorded topi
 function lens(path) {
   const kind = LENSES.map(([each]) => each).find((each) => effective([...path, each]) !== undefined) ?? 'info_file';
   const topics = (recording()?.cameras ?? []).map((each) => each.topic);
-  const sensors = (answer('/api/world').value?.sensors ?? []).map((each) => each.name);
+  const sensors = (answer('api/world').value?.sensors ?? []).map((each) => each.name);
   const start = {
     info_file: '',
     info_topic: topics[0] ?? '/camera/camera_info',
@@ -283,7 +283,7 @@ function sample(path) {
 }
 
 function fromAbove() {
-  const world = answer('/api/world').value;
+  const world = answer('api/world').value;
   return map({picture: world?.map, extent: world?.map_extent, ways: waysOfObjects(), label: 'The camera from above'});
 }
 

@@ -19,7 +19,7 @@ function writers() {
 }
 
 function draw() {
-  const {value, error} = answer('/api/formats');
+  const {value, error} = answer('api/formats');
   if (!value) return h('p', {class: 'empty'}, error ?? 'Reading the formats\u2026');
   const known = new Set(value.formats.map((each) => each.type));
   const strange = writers().filter((each) => !known.has(each.type));

@@ -81,8 +81,8 @@ function inBox(mode) {
 }
 
 function from(mode) {
-  const world = answer('/api/world').value;
-  const occupancy = mode === 'map' ? answer('/api/placement').value : null;
+  const world = answer('api/world').value;
+  const occupancy = mode === 'map' ? answer('api/placement').value : null;
   const volume = effective(['placement', 'volume']);
   const boxes = mode !== 'map' && volume?.min && volume?.max ? [{low: volume.min, high: volume.max}] : [];
   return map({

@@ -47,13 +47,13 @@ function draw() {
 
 function draws() {
   const query = {count: 9, camera: currentCamera()};
-  const {value, error, isAsked} = answer('/api/draws', query);
+  const {value, error, isAsked} = answer('api/draws', query);
   const pictures = value?.pictures ?? [];
   return h(
       'section', {class: 'group draws', key: 'draws'},
       h('div', {class: 'draws-head'}, h('h2', {}, 'Nine draws'),
         h('span', {class: 'muted', role: 'status'}, error ?? (isAsked ? 'drawing\u2026' : '')),
-        h('button', {type: 'button', class: 'quiet', onclick: () => askAgain('/api/draws')}, 'Draw anew')),
+        h('button', {type: 'button', class: 'quiet', onclick: () => askAgain('api/draws')}, 'Draw anew')),
       h('div', {class: isAsked ? 'nine old' : 'nine'}, Array.from({length: 9}, (unused, index) => {
         const each = pictures[index];
         return h(
@@ -115,7 +115,7 @@ function namesIn(group, first, known) {
 }
 
 function lights() {
-  const known = (answer('/api/world').value?.lights ?? [])
+  const known = (answer('api/world').value?.lights ?? [])
                     .map((each) => each.name ?? each)
                     .filter((each) => typeof each === 'string');
   return named('lights', namesIn('lights', ['every'], known), (name) => {

@@ -24,7 +24,7 @@ export const recordingPane = {
 
 function draw() {
   if (effective(['motion']) === 'placement') return [motionChoice(), withoutRecording()];
-  const {value: recording, error} = answer('/api/recording');
+  const {value: recording, error} = answer('api/recording');
   const frames = (recording?.frames ?? []).map((each) => each.name);
   const roots = [...new Set(
       (recording?.frames ?? []).map((each) => each.parent).filter((each) => each && !frames.includes(each)))];
@@ -75,7 +75,7 @@ function facts(recording) {
 }
 
 function waysMap() {
-  const {value: world} = answer('/api/world');
+  const {value: world} = answer('api/world');
   return map(
       {picture: world?.map, extent: world?.map_extent, ways: waysOfObjects(), label: 'Ways of the objects from above'});
 }

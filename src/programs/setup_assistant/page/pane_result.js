@@ -25,9 +25,9 @@ function draw() {
   // A run that has ended has more scenes than were read before.
   if (result.runState !== store.run.state) {
     result.runState = store.run.state;
-    askAgain('/api/result');
+    askAgain('api/result');
   }
-  const {value, error} = answer('/api/result', {page: result.page});
+  const {value, error} = answer('api/result', {page: result.page});
   if (!value) return h('p', {class: 'empty'}, error ?? 'Reading the dataset\u2026');
   if (!value.scenes?.length)
     return h('p', {class: 'empty'}, 'There is no scene yet. ', h('a', {href: '#run'}, 'To the run'));
@@ -100,7 +100,7 @@ async function verify() {
   result.isChecking = true;
   changed();
   try {
-    result.check = await post('/api/verify');
+    result.check = await post('api/verify');
   } catch (error) {
     report(error);
   }

@@ -53,7 +53,7 @@ function draw() {
 }
 
 function contents() {
-  const {value: world, error} = answer('/api/world');
+  const {value: world, error} = answer('api/world');
   if (error) return section('What is in it', h('p', {class: 'empty'}, error));
   if (!world) return section('What is in it', h('div', {class: 'placeholder'}, 'Reading the world\u2026'));
   const triangles = world.models.reduce((sum, each) => sum + (each.triangles ?? 0), 0);

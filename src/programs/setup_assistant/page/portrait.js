@@ -75,7 +75,7 @@ async function load(name, state) {
   try {
     const {yaw, pitch} = state;
     state.value = {
-      ...await get('/api/model', {object: name, yaw: rounded(yaw, 3), pitch: rounded(pitch, 3), width: WIDTH}),
+      ...await get('api/model', {object: name, yaw: rounded(yaw, 3), pitch: rounded(pitch, 3), width: WIDTH}),
       yaw,
       pitch
     };
@@ -126,7 +126,7 @@ async function pick(event, name, state) {
     y: (event.clientY - box.top) / box.height * height - 0.5,
   };
   try {
-    const {link, p} = await post('/api/pick', body);
+    const {link, p} = await post('api/pick', body);
     if (!link || !p) return report(new Error('There is nothing of the model at that point; click on the model.'));
     const path = [name, 'keypoints'];
     const list = effective(path);

@@ -3,7 +3,7 @@ import {answer, effective, frameOf, objectNames} from './store.js';
 
 // Undefined with placement, and until it is read.
 export function recording() {
-  return effective(['motion']) === 'placement' ? undefined : answer('/api/recording').value;
+  return effective(['motion']) === 'placement' ? undefined : answer('api/recording').value;
 }
 
 export function frames() {

@@ -31,7 +31,7 @@ async function load() {
   asked = key;
   scene.isLoading = true;
   try {
-    const value = await get('/api/scene', {
+    const value = await get('api/scene', {
       instant: currentInstant(),
       camera: currentCamera(),
       revision: store.state.revision,

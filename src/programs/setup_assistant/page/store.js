@@ -30,7 +30,7 @@ export function changed() {
 }
 
 export async function start() {
-  const {parameters} = await get('/api/parameters');
+  const {parameters} = await get('api/parameters');
   for (const each of parameters) store.parameters.set(each.path, each);
   await readAll();
   listen({state: takeState, setup: takeSetup, run: takeRun}, (connection) => {
@@ -44,7 +44,7 @@ export async function start() {
 async function readAll(isNewServer = false) {
   // Another process counts its revisions anew.
   if (isNewServer) store.state = store.setup = null;
-  const asked = [['/api/state', takeState], ['/api/setup', takeSetup], ['/api/run', takeRun]];
+  const asked = [['api/state', takeState], ['api/setup', takeSetup], ['api/run', takeRun]];
   await Promise.all(asked.map(([path, take]) => get(path).then(take, refuse)));
 }
 
@@ -100,12 +100,12 @@ export function change(changes, step) {
   if (step) body.step = step;
   return enqueue(async () => {
     try {
-      await postState('/api/set', body);
+      await postState('api/set', body);
     } catch (error) {
       if (error.status !== 409) return report(error);
       // Somebody else was faster. A change names its settings, so it applies to theirs, too.
-      takeState(await get('/api/state'));
-      await postState('/api/set', body).catch(report);
+      takeState(await get('api/state'));
+      await postState('api/set', body).catch(report);
     }
   });
 }
@@ -116,32 +116,32 @@ export function set(path, value, step) {
 
 // `revision`: of the text that was changed. Throws a Refused with status 409 if somebody else was faster.
 export function setText(text, revision, step) {
-  return enqueue(() => postState('/api/text', {text, revision, step}));
+  return enqueue(() => postState('api/text', {text, revision, step}));
 }
 
 export function undo() {
-  return enqueue(() => postState('/api/undo').catch(report));
+  return enqueue(() => postState('api/undo').catch(report));
 }
 
 export function redo() {
-  return enqueue(() => postState('/api/redo').catch(report));
+  return enqueue(() => postState('api/redo').catch(report));
 }
 
 export function answerOutside(take) {
-  return enqueue(() => postState('/api/outside', {take}).catch(report));
+  return enqueue(() => postState('api/outside', {take}).catch(report));
 }
 
 // `replace`: the folder whose dataset is removed first.
 export async function startRun({replace = null} = {}) {
-  await post('/api/run/start', {replace}).then(takeRun, report);
+  await post('api/run/start', {replace}).then(takeRun, report);
 }
 
 export async function stopRun() {
-  await post('/api/run/stop').then(takeRun, report);
+  await post('api/run/stop').then(takeRun, report);
 }
 
 export async function checkAll() {
-  await post('/api/check').then(takeSetup, report);
+  await post('api/check').then(takeSetup, report);
 }
 
 // --- Values ---

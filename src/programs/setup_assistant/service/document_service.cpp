@@ -33,8 +33,11 @@ Value faultValue(const SettingsDocument& document) {
 
 }  // namespace
 
-DocumentService::DocumentService(std::string file, OnChange on_change)
-    : document_(std::move(file)), on_change_(std::move(on_change)) {}
+DocumentService::DocumentService(std::string file, const AllowedFolders& allowed,
+                                 OnChange on_change)
+    : document_(std::move(file)), allowed_(allowed), on_change_(std::move(on_change)) {
+  rememberVariables();
+}
 
 template <class Work>
 Value DocumentService::changing(const Work& work) {
@@ -124,6 +127,33 @@ Value DocumentService::stateLocked() {
                     {"error", faultValue(document_)}};
 }
 
+/// Of files that the page may not look into, and variables that the user has not named, it could
+/// show what they hold.
+Value DocumentService::load(const config::TextFinder& environment) const {
+  config::SettingsSources sources;
+  sources.package_folder = packages_.finder();
+  sources.environment = environment;
+  sources.admit = [this](const std::string& file) { (void)allowed_.resolve(file); };
+  return config::loadSettings(document_.file(), sources);
+}
+
+void DocumentService::rememberVariables() {
+  try {
+    (void)load([this](const std::string& name) {
+      variables_.insert(name);
+      return config::environmentVariable(name);
+    });
+  } catch (const Error&) {  // which is said when the page asks
+  }
+}
+
+std::optional<std::string> DocumentService::variable(const std::string& name) const {
+  if (variables_.count(name) != 0) return config::environmentVariable(name);
+  throw Error("found the environment variable " + name +
+              ", which the settings did not name when the page was started; start "
+              "setup_assistant anew, and they may");
+}
+
 /// A file that is not on the disk as it is shown stays as it was read last.
 void DocumentService::readEffective() {
   if (effective_.revision == document_.revision()) return;
@@ -132,7 +162,7 @@ void DocumentService::readEffective() {
   effective_.errors.clear();
   effective_.settings.reset();
   try {
-    const Value all = config::loadSettings(document_.file(), packages_.finder());
+    const Value all = load([this](const std::string& name) { return variable(name); });
     effective_.settings = config::twinRuns(all).front();
   } catch (const ErrorList& errors) {
     effective_.errors = errors.messages();

@@ -4,10 +4,13 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "config/launch_substitution.h"
 #include "programs/setup_assistant/document/settings_document.h"
+#include "programs/setup_assistant/folders/allowed_folders.h"
 #include "run/setup/package_index.h"
 #include "synthetic_dataset/value.h"
 
@@ -27,7 +30,8 @@ class DocumentService {
   using OnChange = std::function<void()>;
 
   /// @param file  that is there
-  DocumentService(std::string file, OnChange on_change);
+  /// @param allowed  in which included files may lie
+  DocumentService(std::string file, const AllowedFolders& allowed, OnChange on_change);
 
   [[nodiscard]] const std::string& file() const { return document_.file(); }
 
@@ -57,9 +61,14 @@ class DocumentService {
   Value changing(const Work& work);
   [[nodiscard]] Value stateLocked();
   void readEffective();
+  [[nodiscard]] Value load(const config::TextFinder& environment) const;
+  void rememberVariables();
+  [[nodiscard]] std::optional<std::string> variable(const std::string& name) const;
 
   std::mutex mutex_;
   SettingsDocument document_;
+  const AllowedFolders& allowed_;
+  std::set<std::string> variables_;  ///< of the environment, that the settings named at the start
   EffectiveSettings effective_;
   run::RosPackageIndex packages_;  ///< found once, since every change asks for them
   OnChange on_change_;

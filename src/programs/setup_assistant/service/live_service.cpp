@@ -1,6 +1,7 @@
 #include "programs/setup_assistant/service/live_service.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -88,7 +89,7 @@ Value pickView(run::LiveRun& live, const Value& body) {
   viewpoint.yaw = numberOf(body, "yaw", viewpoint.yaw);
   viewpoint.pitch = numberOf(body, "pitch", viewpoint.pitch);
   viewpoint.width =
-      portraitWidth(static_cast<std::int64_t>(numberOf(body, "width", viewpoint.width)));
+      portraitWidth(std::llround(std::clamp(numberOf(body, "width", viewpoint.width), 0.0, 1e6)));
   const auto point = live.pick(textOf(body, "object"), viewpoint,
                                {numberOf(body, "x", 0.0), numberOf(body, "y", 0.0)});
   if (!point) return Value::Map{{"link", Value()}, {"p", Value()}};

@@ -22,7 +22,7 @@ namespace synthetic_dataset::programs {
 namespace {
 
 constexpr std::int64_t kScenesOfAPage = 24;
-constexpr const char* kPictureAddress = "/api/result/image/";
+constexpr const char* kPictureAddress = "api/result/image/";
 
 Value countsValue(const std::map<std::string, std::int64_t>& counts) {
   Value::Map map;
@@ -91,7 +91,9 @@ Value ResultService::page(const HttpRequest& request) {
   const output::WrittenDataset dataset(of);
   const std::vector<std::int64_t> scenes = dataset.scenes();
   const auto count = static_cast<std::int64_t>(scenes.size());
-  const std::int64_t page = std::max<std::int64_t>(0, wholeParameter(request, "page", 0));
+  const std::int64_t pages = (count + kScenesOfAPage - 1) / kScenesOfAPage;
+  const std::int64_t page =
+      std::min(pages, std::max<std::int64_t>(0, wholeParameter(request, "page", 0)));
   const std::int64_t begin = std::min(count, page * kScenesOfAPage);
   Value::List shown;
   for (std::int64_t i = begin; i < std::min(count, begin + kScenesOfAPage); ++i) {
@@ -102,7 +104,7 @@ Value ResultService::page(const HttpRequest& request) {
   const output::WrittenCounts counts = dataset.counts();
   return Value::Map{{"folder", Value(of)},
                     {"page", Value(page)},
-                    {"pages", Value((count + kScenesOfAPage - 1) / kScenesOfAPage)},
+                    {"pages", Value(pages)},
                     {"scene_count", Value(counts.scenes)},
                     {"bytes", Value(counts.bytes)},
                     {"counts", countsValue(counts.labels)},

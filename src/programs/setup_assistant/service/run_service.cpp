@@ -37,12 +37,14 @@ std::string generateProgram() {
 /// The setting that has a run make some of its scenes alone.
 std::string onlyScenes(const Value& wanted) {
   Value::List scenes;
-  if (const auto* count = wanted.as<std::int64_t>()) {
+  constexpr std::int64_t kMost = 10000;
+  if (const auto* count = wanted.as<std::int64_t>(); count != nullptr && *count <= kMost) {
     for (std::int64_t i = 0; i < *count; ++i) scenes.emplace_back(i);
   } else if (const auto* list = wanted.as<Value::List>()) {
     scenes = *list;
   }
-  if (scenes.empty()) throw HttpError(400, "scenes: it should be a number of scenes, or a list");
+  if (scenes.empty())
+    throw HttpError(400, "scenes: it should be a number of scenes, 1 to 10000, or a list");
   return "only_scenes:=" + base::jsonText(scenes);
 }
 
@@ -137,11 +139,13 @@ void RunService::requireOwnFolders(const Value::Map& settings) const {
   std::vector<std::pair<std::string, std::string>> targets = {
       {"output_folder", settingText(Value(settings), "output_folder")}};
   for (const auto& [name, group] : settings) {
-    for (const char* setting : {"output_folder", "main_list"}) {
-      const std::string target = settingText(group, setting);
-      const bool is_own = setting == std::string("main_list") && fs::path(target).is_relative();
-      if (!is_own) targets.emplace_back(name + "/" + setting, target);
-    }
+    const std::string folder = settingText(group, "output_folder");
+    targets.emplace_back(name + "/output_folder", folder);
+    // A relative one lies below the writer's folder, which is below the dataset's or its own.
+    const fs::path list = settingText(group, "main_list");
+    const fs::path base = folder.empty() ? outputFolderOf(Value(settings)) + "/" + name : folder;
+    targets.emplace_back(name + "/main_list",
+                         list.empty() || list.is_absolute() ? list : base / list);
   }
   for (const auto& [name, target] : targets) {
     if (target.empty()) continue;

@@ -79,13 +79,21 @@ std::optional<HttpResponse> AccessCheck::answer(const HttpRequest& request) cons
     if (request.path != "/") return std::nullopt;
     HttpResponse response;
     response.status = 303;
-    response.headers = {
-        {"Location", "/"},
-        {"Set-Cookie", cookie_name_ + "=" + token_ + "; Path=/; HttpOnly; SameSite=Strict"}};
+    response.headers = {{"Location", folder_ + "/"},
+                        {"Set-Cookie", cookie_name_ + "=" + cookie_ + "; Path=" + folder_ +
+                                           "/; HttpOnly; SameSite=Strict"}};
     return response;
   }
-  if (!isFromOwnPage(request) || !hasCookie(request)) return forbidden();
+  const std::string folder = request.path.substr(0, folder_.size() + 1);
+  if (!isFromOwnPage(request) || !areEqual(folder, folder_ + "/") || !hasCookie(request)) {
+    return forbidden();
+  }
   return std::nullopt;
+}
+
+HttpRequest AccessCheck::inside(HttpRequest request) const {
+  if (request.path.rfind(folder_ + "/", 0) == 0) request.path.erase(0, folder_.size());
+  return request;
 }
 
 /// Names that are not this machine's could lead here by somebody else's DNS. Any port is right: ssh
@@ -110,7 +118,7 @@ bool AccessCheck::hasCookie(const HttpRequest& request) const {
   for (std::string cookie; std::getline(cookies >> std::ws, cookie, ';');) {
     const std::size_t equals = cookie.find('=');
     if (equals == std::string::npos || cookie.substr(0, equals) != cookie_name_) continue;
-    is_there = is_there || areEqual(cookie.substr(equals + 1), token_);
+    is_there = is_there || areEqual(cookie.substr(equals + 1), cookie_);
   }
   return is_there;
 }

@@ -15,20 +15,40 @@
 
 #include <microhttpd.h>
 
+#include "programs/setup_assistant/web/connection_list.h"
+
 namespace synthetic_dataset::programs {
 namespace {
 
 using Answer = decltype(MHD_YES);  // an enumeration since 0.9.71, int before
 
 constexpr std::size_t kLargestBody = 16U << 20U;
-constexpr unsigned kIdleTime = 60;  // after which a connection is closed [s]
+constexpr std::size_t kLargestRefusedBody = 64U << 10U;  // which is read, so that 403 arrives
+constexpr unsigned kIdleTime = 60;                       // after which a connection is closed [s]
+constexpr unsigned kStrangerTime = 10;                   // the same before the token was seen [s]
 constexpr std::chrono::seconds kEventPatience(5);
 
 /// A request as it comes in, piece by piece.
 struct Incoming {
   HttpRequest request;
-  bool is_too_large = false;
+  std::optional<HttpResponse> refusal;  ///< of somebody without the token
+  std::size_t body_size = 0;
+
+  /// Takes a piece of the body. @return whether more may come
+  bool take(const char* data, std::size_t size) {
+    body_size += size;
+    if (refusal) return body_size <= kLargestRefusedBody;
+    if (!isTooLarge()) request.body.append(data, size);
+    return true;
+  }
+
+  [[nodiscard]] bool isTooLarge() const { return body_size > kLargestBody; }
 };
+
+int socketOf(MHD_Connection* connection) {
+  const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+  return info == nullptr ? -1 : info->connect_fd;
+}
 
 std::string smallLetters(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -145,28 +165,26 @@ struct HttpServer::Daemon {
 
   static Answer take(void* closure, MHD_Connection* connection, const char* url, const char* method,
                      const char* /*version*/, const char* data, std::size_t* size, void** memory) {
+    auto& daemon = *static_cast<Daemon*>(closure);
     auto* incoming = static_cast<Incoming*>(*memory);
     if (incoming == nullptr) {
-      incoming = new Incoming{{method, url, {}, {}, ""}, false};
+      incoming = new Incoming{{method, url, {}, {}, ""}, std::nullopt, 0};
       *memory = incoming;
-      MHD_get_connection_values(connection, MHD_HEADER_KIND, addHeader, incoming);
-      MHD_get_connection_values(connection, MHD_GET_ARGUMENT_KIND, addParameter, incoming);
+      daemon.meet(connection, *incoming);
       return MHD_YES;
     }
     if (*size > 0) {
-      incoming->is_too_large =
-          incoming->is_too_large || incoming->request.body.size() + *size > kLargestBody;
-      if (!incoming->is_too_large) incoming->request.body.append(data, *size);
+      const bool goes_on = incoming->take(data, *size);
       *size = 0;
-      return MHD_YES;
+      return goes_on ? MHD_YES : MHD_NO;
     }
-    if (incoming->is_too_large) {
+    if (incoming->refusal) return send(connection, *incoming->refusal);
+    if (incoming->isTooLarge()) {
       return send(connection, errorResponse(413, "found more than 16 MiB; it should be less"));
     }
     // An answer may take longer than a connection may be idle; setting the time again starts it.
     MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, 0U);
-    const Answer answer =
-        send(connection, answerTo(static_cast<Daemon*>(closure)->handler, incoming->request));
+    const Answer answer = send(connection, answerTo(daemon.handler, incoming->request));
     MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, kIdleTime);
     return answer;
   }
@@ -177,7 +195,26 @@ struct HttpServer::Daemon {
     *memory = nullptr;
   }
 
+  /// Reads a request's headers, and whether it gets through.
+  void meet(MHD_Connection* connection, Incoming& incoming) {
+    MHD_get_connection_values(connection, MHD_HEADER_KIND, addHeader, &incoming);
+    MHD_get_connection_values(connection, MHD_GET_ARGUMENT_KIND, addParameter, &incoming);
+    incoming.refusal = gate(incoming.request);
+    if (incoming.refusal) return;
+    connections.admit(socketOf(connection));
+    MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, kIdleTime);
+  }
+
+  static void count(void* closure, MHD_Connection* connection, void** /*memory*/,
+                    MHD_ConnectionNotificationCode code) {
+    auto& connections = static_cast<Daemon*>(closure)->connections;
+    const int socket = socketOf(connection);
+    code == MHD_CONNECTION_NOTIFY_STARTED ? connections.open(socket) : connections.close(socket);
+  }
+
+  Gate gate;
   Handler handler;
+  ConnectionList connections;
   MHD_Daemon* daemon = nullptr;
 };
 
@@ -206,15 +243,17 @@ HttpServer::~HttpServer() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-void HttpServer::serve(Handler handler) {
-  constexpr unsigned kMostConnections = 128;
+void HttpServer::serve(Gate gate, Handler handler) {
+  constexpr unsigned kMostConnections = 4 * ConnectionList::kMostStrangers;
   daemon_ = std::make_unique<Daemon>();
+  daemon_->gate = std::move(gate);
   daemon_->handler = std::move(handler);
   daemon_->daemon = MHD_start_daemon(
       MHD_USE_THREAD_PER_CONNECTION | MHD_USE_INTERNAL_POLLING_THREAD, port_, nullptr, nullptr,
       &Daemon::take, daemon_.get(), MHD_OPTION_LISTEN_SOCKET, socket_, MHD_OPTION_CONNECTION_LIMIT,
-      kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kIdleTime, MHD_OPTION_NOTIFY_COMPLETED,
-      &Daemon::forget, nullptr, MHD_OPTION_END);
+      kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kStrangerTime, MHD_OPTION_NOTIFY_COMPLETED,
+      &Daemon::forget, nullptr, MHD_OPTION_NOTIFY_CONNECTION, &Daemon::count, daemon_.get(),
+      MHD_OPTION_END);
   if (daemon_->daemon == nullptr) throw Error("the server cannot start");
   socket_ = -1;  // the daemon's now, which closes it
 }

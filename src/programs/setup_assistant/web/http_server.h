@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "programs/setup_assistant/web/http_message.h"
@@ -15,6 +16,10 @@ class HttpServer {
   /// Called in a thread for each connection, several at a time. What it throws is answered as an
   /// error.
   using Handler = std::function<HttpResponse(const HttpRequest& request)>;
+
+  /// Called in the same threads before a request's body is read: what a request is answered that
+  /// does not get through. Its body is not kept, and its connection makes room for others.
+  using Gate = std::function<std::optional<HttpResponse>(const HttpRequest& request)>;
 
   /// Listens from now on, and answers once serve() is called.
   /// @param address  "127.0.0.1", or another one of this machine, of IPv4 or IPv6
@@ -29,7 +34,7 @@ class HttpServer {
   [[nodiscard]] std::uint16_t port() const { return port_; }
 
   /// @throws Error when there is no thread for it
-  void serve(Handler handler);
+  void serve(Gate gate, Handler handler);
 
   /// Waits for the answers that are under way; the handler is not called any more. Streams of
   /// events have to be closed before.

@@ -9,7 +9,9 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -77,8 +79,16 @@ HttpResponse echo(const HttpRequest& request) {
   return response;
 }
 
+/// Lets through whoever does not say to be a stranger.
+std::optional<HttpResponse> requireToken(const HttpRequest& request) {
+  if (request.header("i-am") != "stranger") return std::nullopt;
+  HttpResponse response;
+  response.status = 403;
+  return response;
+}
+
 struct EchoServer {
-  EchoServer() { server.serve(echo); }
+  EchoServer() { server.serve(requireToken, echo); }
   HttpServer server{"127.0.0.1", 0};
 };
 
@@ -106,10 +116,36 @@ TEST(HttpServer, AnswersWhatIsNotPossible) {
   EXPECT_NE(std::string::npos, wrong.find(R"({"error": "far: found -1; it should be above 0"})"));
 }
 
+TEST(HttpServer, IsNotKeptFromUsersByConnectionsOfStrangers) {
+  const EchoServer echo_server;
+  const std::uint16_t port = echo_server.server.port();
+  const Connection user(port);
+  user.send("GET /a HTTP/1.1\r\nHost: here\r\n\r\n");
+  EXPECT_NE(std::string::npos, user.readUntil("end of answer").find("GET /a"));
+  std::vector<std::unique_ptr<Connection>> idle;
+  for (int i = 0; i < 400; ++i) idle.push_back(std::make_unique<Connection>(port));
+  user.send("GET /b HTTP/1.1\r\nHost: here\r\n\r\n");
+  EXPECT_NE(std::string::npos, user.readUntil("end of answer").find("GET /b"));
+  EXPECT_NE(std::string::npos,
+            answerOf(port, "GET /c HTTP/1.1\r\nHost: here\r\n\r\n").find("GET /c"));
+  EXPECT_EQ("", idle.front()->readUntil("the end"));  // has been ended
+}
+
+TEST(HttpServer, DoesNotReadWhatStrangersSend) {
+  const EchoServer echo_server;
+  const std::uint16_t port = echo_server.server.port();
+  const std::string head = "POST /x HTTP/1.1\r\nHost: here\r\nI-Am: stranger\r\n";
+  EXPECT_EQ(0U, answerOf(port, head + "Connection: close\r\nContent-Length: 5\r\n\r\nhello")
+                    .find("HTTP/1.1 403"));
+  const Connection stranger(port);
+  stranger.send(head + "Content-Length: 16000000\r\n\r\n" + std::string(15000000, 'x'));
+  EXPECT_EQ(std::string::npos, stranger.readUntil("end of answer").find("200"));
+}
+
 TEST(HttpServer, SendsEventsAndEndsWithTheirStream) {
   EventHub hub;
   auto server = std::make_unique<HttpServer>("127.0.0.1", 0);
-  server->serve([&](const HttpRequest&) {
+  server->serve(requireToken, [&](const HttpRequest&) {
     HttpResponse response;
     response.type = "text/event-stream";
     response.events = hub.subscribe();
