@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/printable_text.h"
 #include "programs/align/align_report.h"
 #include "programs/console/command_line.h"
 #include "programs/console/console_reporter.h"
@@ -51,7 +52,7 @@ int main(int argc, char** argv) {
     line = programs::parseCheckLine(arguments);
     if (line.out) throw Error("found --out; align writes no files");
   } catch (const std::exception& error) {
-    std::cerr << "align: " << error.what() << '\n' << kUsage;
+    std::cerr << "align: " << base::printable(error.what()) << '\n' << kUsage;
     return 1;
   }
   if (line.wants_help) {
@@ -60,11 +61,13 @@ int main(int argc, char** argv) {
   }
   return programs::reportingErrors("align", [&] {
     run::Reporter silent;
-    const auto warn = [](const std::string& text) { std::cerr << "align: " << text << '\n'; };
+    const auto warn = [](const std::string& text) {
+      std::cerr << "align: " << base::printable(text) << '\n';
+    };
     const run::CameraAlignment found =
         run::alignCamera(programs::settingsOf(line, warn), options, silent);
     for (const std::string& text : programs::alignmentLines(found, options)) {
-      std::cout << text << '\n';
+      std::cout << base::printable(text) << '\n';
     }
     return programs::isFound(found, options) ? 0 : kDoesNotTell;
   });

@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 
+#include "base/printable_text.h"
 #include "config/twin_runs.h"
 #include "programs/check/check_report.h"
 #include "programs/console/command_line.h"
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
   try {
     line = programs::parseCheckLine({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::cerr << "check: " << error.what() << '\n' << programs::checkUsage();
+    std::cerr << "check: " << base::printable(error.what()) << '\n' << programs::checkUsage();
     return 1;
   }
   if (line.wants_help) {
@@ -28,8 +29,9 @@ int main(int argc, char** argv) {
     return 0;
   }
   return programs::reportingErrors("check", [&] {
-    const Value settings = programs::settingsOf(
-        line, [](const std::string& text) { std::cerr << "check: " << text << '\n'; });
+    const Value settings = programs::settingsOf(line, [](const std::string& text) {
+      std::cerr << "check: " << base::printable(text) << '\n';
+    });
     return programs::checkAndPrint(config::twinRuns(settings).front(), line.out.value_or("."),
                                    std::cout)
                ? 0

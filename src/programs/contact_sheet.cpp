@@ -15,6 +15,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/printable_text.h"
 #include "programs/gallery/model_gallery.h"
 #include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
@@ -71,8 +72,8 @@ int makeContactSheet(const fs::path& given, const std::string& picture) {
   if (!cv::imwrite(picture, programs::contactSheet(entries, kCell))) {
     throw Error(picture + ": cannot be written");
   }
-  std::cout << programs::galleryTable(entries);
-  for (const std::string& note : packages.notes()) std::cout << note << '\n';
+  std::cout << base::printable(programs::galleryTable(entries));
+  for (const std::string& note : packages.notes()) std::cout << base::printable(note) << '\n';
   const bool all_loaded =
       std::all_of(entries.begin(), entries.end(),
                   [](const programs::GalleryEntry& e) { return e.error.empty(); });
@@ -94,7 +95,7 @@ int main(int argc, char** argv) {
   try {
     return makeContactSheet(argv[1], argv[2]);
   } catch (const std::exception& error) {
-    std::cerr << "contact_sheet: " << error.what() << '\n';
+    std::cerr << "contact_sheet: " << base::printable(error.what()) << '\n';
     return 1;
   }
 }

@@ -12,6 +12,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/printable_text.h"
 #include "programs/drawing/label_sheets.h"
 #include "programs/drawing/video_file.h"
 #include "synthetic_dataset/errors.h"
@@ -110,7 +111,9 @@ void writePicture(const std::string& file, const cv::Mat& picture) {
 
 programs::LabelSheets sheetsOf(const std::vector<std::string>& names, std::size_t writer) {
   return {names[0], names.size() > writer ? std::optional(names[writer]) : std::nullopt,
-          [](const std::string& message) { std::cerr << "draw_labels: " << message << '\n'; }};
+          [](const std::string& message) {
+            std::cerr << "draw_labels: " << base::printable(message) << '\n';
+          }};
 }
 
 void drawOne(const std::vector<std::string>& names) {
@@ -203,7 +206,7 @@ int main(int argc, char** argv) {
     }
     return 0;
   } catch (const std::exception& error) {
-    std::cerr << "draw_labels: " << error.what() << '\n';
+    std::cerr << "draw_labels: " << base::printable(error.what()) << '\n';
     return 1;
   }
 }

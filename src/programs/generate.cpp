@@ -1,6 +1,7 @@
 /// The program `generate`: settings from a file or from ROS parameters in, a dataset out, the
 /// result as exit code.
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "programs/console/console_reporter.h"
 #include "programs/console/heap.h"
 #include "programs/console/parallel_run.h"
+#include "programs/console/processes.h"
 #include "programs/console/ros_parameters.h"
 #include "programs/console/run_topics.h"
 #include "programs/console/script_reporter.h"
@@ -45,7 +47,7 @@ bool startNode(int argc, char** argv) {
   try {
     ros::init(argc, argv, "generate", ros::init_options::NoSigintHandler);
   } catch (const std::exception& error) {  // no folder for logs, for one
-    std::cerr << "generate: ROS cannot start: " << error.what() << '\n';
+    std::cerr << "generate: ROS cannot start: " << base::printable(error.what()) << '\n';
     return false;
   }
   if (ros::master::check()) return true;
@@ -87,27 +89,32 @@ void printErrors(const programs::CommandLine& command_line,
   printEnd(command_line, "failed", {{"errors", Value(texts)}});
 }
 
-int stopped(run::Reporter& reporter) {
+/// How a run came to its end.
+struct Ended {
+  bool was_stopped = false;
+  Value::Map summary;
+};
+
+int reportEnd(const Ended& ended, const programs::CommandLine& command_line,
+              run::Reporter& reporter) {
+  if (!ended.was_stopped) {
+    printEnd(command_line, "done", ended.summary);
+    return kDone;
+  }
   const int signal = programs::stop_signals::requested();
   reporter.warning(std::string("stopped by ") + programs::stop_signals::name(signal) +
                    ": the scenes made so far are whole; run the same command again to go on "
                    "(`if_exists: overwrite` starts anew)");
+  printEnd(command_line, "stopped", ended.summary);
   return kInterrupted + signal;
 }
 
-int generateHere(const Value& settings, const programs::CommandLine& command_line,
-                 run::Reporter& reporter) {
+Ended generateHere(const Value& settings, run::Reporter& reporter) {
   run::Generator generator(settings, reporter);
   const run::RunSummary summary = generator.run();
   for (const std::string& line : run::summaryLines(summary)) reporter.info(line);
-  if (summary.stopped) {
-    const int code = stopped(reporter);
-    printEnd(command_line, "stopped", run::summaryValue(summary));
-    return code;
-  }
-  reporter.info(run::lastLine(summary));
-  printEnd(command_line, "done", run::summaryValue(summary));
-  return kDone;
+  if (!summary.stopped) reporter.info(run::lastLine(summary));
+  return {summary.stopped, run::summaryValue(summary)};
 }
 
 /// Findings are not a failure, but scripts may want to know.
@@ -116,19 +123,31 @@ int check(const Value& settings, const programs::CommandLine& command_line) {
   return is_fine ? kDone : kOdd;
 }
 
-int generateOne(const Value& settings, const programs::CommandLine& command_line,
-                run::Reporter& reporter) {
+Ended generateOne(const Value& settings, run::Reporter& reporter) {
   const programs::ParallelRun run(settings);
-  if (!run.isPossible()) return generateHere(settings, command_line, reporter);
+  if (!run.isPossible()) return generateHere(settings, reporter);
   const auto summary = run.make(reporter);
-  if (!summary) {
-    const int code = stopped(reporter);
-    printEnd(command_line, "stopped", {});
-    return code;
-  }
+  if (!summary) return {true, {}};
   reporter.info(run::lastLine(*summary));
-  printEnd(command_line, "done", run::summaryValue(*summary));
-  return kDone;
+  return {false, run::summaryValue(*summary)};
+}
+
+bool anyInProcesses(const std::vector<Value>& runs) {
+  return std::any_of(runs.begin(), runs.end(),
+                     [](const Value& each) { return programs::ParallelRun(each).isPossible(); });
+}
+
+/// Where one of several runs forks, each is in a process of its own: one that draws has threads,
+/// and a process that is forked beside threads may wait for ever.
+int generateEachApart(const std::vector<Value>& runs, const programs::CommandLine& command_line,
+                      run::Reporter& reporter) {
+  const auto work = [&](int run, run::Reporter& of_run) {
+    const Ended ended = generateOne(runs[static_cast<std::size_t>(run)], of_run);
+    if (!ended.was_stopped) printEnd(command_line, "done", ended.summary);
+    return !ended.was_stopped;
+  };
+  if (programs::doInTurn(static_cast<int>(runs.size()), work, reporter)) return kDone;
+  return reportEnd({true, {}}, command_line, reporter);
 }
 
 int generate(const Value& settings, const programs::CommandLine& command_line,
@@ -136,8 +155,11 @@ int generate(const Value& settings, const programs::CommandLine& command_line,
   if (command_line.wants_settings) return printSpelledOut(settings, command_line.as_json);
   const std::vector<Value> runs = config::twinRuns(settings);
   if (command_line.wants_check) return check(runs.front(), command_line);
+  if (runs.size() > 1 && anyInProcesses(runs)) {
+    return generateEachApart(runs, command_line, reporter);
+  }
   for (const Value& each : runs) {
-    const int code = generateOne(each, command_line, reporter);
+    const int code = reportEnd(generateOne(each, reporter), command_line, reporter);
     if (code != kDone) return code;
   }
   return kDone;
@@ -166,7 +188,7 @@ int main(int argc, char** argv) {
   try {
     command_line = programs::parseCommandLine({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::cerr << "generate: " << error.what() << '\n' << programs::usage();
+    std::cerr << "generate: " << base::printable(error.what()) << '\n' << programs::usage();
     return kFailed;
   }
   if (command_line.wants_help) {

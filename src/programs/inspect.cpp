@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/json_text.h"
+#include "base/printable_text.h"
 #include "programs/console/command_line.h"
 #include "programs/inspect/bag_report.h"
 #include "programs/inspect/server_descriptions.h"
@@ -58,8 +59,8 @@ void printUrdf(const motion::BagContents& contents) {
   }
   std::cout << contents.descriptions.front().urdf << '\n';
   for (std::size_t i = 1; i < contents.descriptions.size(); ++i) {
-    std::cerr << "inspect: that of " << contents.descriptions.front().topic << "; "
-              << contents.descriptions[i].topic << " has another one\n";
+    std::cerr << base::printable("inspect: that of " + contents.descriptions.front().topic + "; " +
+                                 contents.descriptions[i].topic + " has another one\n");
   }
 }
 
@@ -75,7 +76,7 @@ int inspect(const std::vector<std::string>& files, const Options& options) {
     }
     const auto on_server = programs::descriptionsOnServer();
     std::cout << (as_json ? base::jsonText(programs::bagValue(contents, on_server)) + "\n"
-                          : programs::bagText(contents, on_server));
+                          : base::printable(programs::bagText(contents, on_server)));
     return 0;
   }
   if (files.size() > 1) {
@@ -85,7 +86,7 @@ int inspect(const std::vector<std::string>& files, const Options& options) {
   }
   const world::Description description = programs::readForInspection(files.front());
   std::cout << (as_json ? base::jsonText(programs::worldValue(description)) + "\n"
-                        : programs::worldText(description));
+                        : base::printable(programs::worldText(description)));
   return 0;
 }
 

@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
     callbacks.start();
     preview.run();
   } catch (const std::exception& error) {
-    std::cerr << "preview: " << error.what() << '\n';
+    std::cerr << "preview: " << base::printable(error.what()) << '\n';
     return 1;
   }
   return 0;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/name_list.h"
+#include "base/printable_text.h"
 #include "plugins/readback/format.h"
 #include "programs/console/command_line.h"
 #include "programs/inspect/world_report.h"
@@ -123,7 +124,8 @@ int start(const programs::StartLine& line) {
   } else {
     std::cout << draft.text;
   }
-  for (const std::string& gap : draft.gaps) std::cerr << "start: TODO: " << gap << '\n';
+  for (const std::string& gap : draft.gaps)
+    std::cerr << "start: TODO: " << base::printable(gap) << '\n';
   return 0;
 }
 
@@ -134,7 +136,7 @@ int main(int argc, char** argv) {
   try {
     line = programs::parseStartLine({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::cerr << "start: " << error.what() << '\n' << programs::startUsage();
+    std::cerr << "start: " << base::printable(error.what()) << '\n' << programs::startUsage();
     return 1;
   }
   if (line.wants_help) {

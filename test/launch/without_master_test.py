@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -86,6 +87,26 @@ class WithoutMaster(Case):
         self.assertRegex(log, r'\bdone\b')
         self.assertGreater(len(ours), 10)
         self.assertEqual(self.files(), ours)
+
+    def test_goes_on_with_the_second_dataset_of_a_twin_in_processes(self):
+        """The first one, which is complete, is opened again, and the second one forks."""
+        twin = ['--config', REPOSITORY / 'config' / 'example_twin.yaml', 'twin/output:=both',
+                f'output_folder:={self.dataset}', 'simulated_rate:=0.5', 'processes:=2']
+        code, log = self.finish(self.start(*twin))
+        self.assertEqual(code, 0, log)
+        whole = self.files()
+        shutil.rmtree(self.dataset / 'synthetic')
+        node = self.start(*twin)
+        code, log = self.finish(node)
+        self.assertEqual(code, 0, log)
+        self.assertIn('complete already', log)
+        self.assertEqual(self.files(), whole)
+        shutil.rmtree(self.dataset / 'synthetic')
+        node = self.start(*twin)
+        self.wait_for(node, 'scene 1 of')
+        node.send_signal(signal.SIGINT)
+        code, log = self.finish(node)
+        self.assertEqual(code, 130, log)
 
     def test_leaves_no_files_of_ros(self):
         self.finish(self.start('--config', 'no_such.yaml'))

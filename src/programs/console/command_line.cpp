@@ -4,6 +4,7 @@
 #include <iostream>
 #include <utility>
 
+#include "base/printable_text.h"
 #include "config/settings_file.h"
 #include "run/setup/package_index.h"
 #include "synthetic_dataset/errors.h"
@@ -154,9 +155,9 @@ int reportingErrors(const std::string& name, const std::function<int()>& work) {
     return work();
   } catch (const ErrorList& errors) {
     for (const std::string& message : errors.messages())
-      std::cerr << name << ": " << message << '\n';
+      std::cerr << name << ": " << base::printable(message) << '\n';
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << '\n';
+    std::cerr << name << ": " << base::printable(error.what()) << '\n';
   }
   return 1;
 }

@@ -59,7 +59,7 @@ void ConsoleReporter::stage(const std::string& what) {
   if (is_started_) return;
   if (!start_report_) {
     start_report_ = std::make_unique<StartReport>(
-        secondsNow, [](const std::string& message) { ROS_INFO_STREAM(message); });
+        secondsNow, [](const std::string& message) { ROS_INFO_STREAM(base::printable(message)); });
     ticker_ = std::make_unique<Ticker>([this] { start_report_->look(); });
   }
   start_report_->begin(what);

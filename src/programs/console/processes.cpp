@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <iostream>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -89,6 +91,34 @@ class SendingReporter : public run::Reporter {
   bool has_begun_ = false;
 };
 
+/// How a process that waits for its turn gets it.
+class Turn {
+ public:
+  Turn() {
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw Error("cannot make a pipe for a process");
+  }
+  ~Turn() {
+    for (const int end : ends_) ::close(end);
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+  void give() const {
+    while (::write(ends_[1], "x", 1) < 0 && errno == EINTR) {
+    }
+  }
+
+  /// In the process; a signal ends it before.
+  void wait() const {
+    char byte = 0;
+    while (::read(ends_[0], &byte, 1) < 0 && errno == EINTR) {
+    }
+  }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
 [[noreturn]] void runProcess(int index, const PieceOfWork& work, int pipe, pid_t parent) {
   setpgid(0, 0);  // a terminal's signals reach it by its parent alone, once
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -103,6 +133,7 @@ class SendingReporter : public run::Reporter {
   } catch (const std::exception& error) {
     send(pipe, Kind::kError, error.what());
   }
+  std::cout.flush();
   _exit(code);  // without what the parent would do at its end
 }
 
@@ -280,12 +311,36 @@ class Processes {
   bool was_stopped_ = false;
 };
 
+/// A process that does a piece of work when it is its turn.
+struct Waiting {
+  Waiting(int index, const PieceOfWork& work, run::Reporter& reporter) : processes(reporter) {
+    processes.start(index, [&](int piece, run::Reporter& of_piece) {
+      turn.wait();
+      return work(piece, of_piece);
+    });
+  }
+
+  Turn turn;
+  Processes processes;
+};
+
 }  // namespace
 
 bool doInProcesses(int count, const PieceOfWork& work, run::Reporter& reporter) {
   Processes processes(reporter);
   for (int index = 0; index < count; ++index) processes.start(index, work);
   return processes.finish();
+}
+
+bool doInTurn(int count, const PieceOfWork& work, run::Reporter& reporter) {
+  std::vector<std::unique_ptr<Waiting>> all;
+  for (int index = 0; index < count; ++index) {
+    all.push_back(std::make_unique<Waiting>(index, work, reporter));
+  }
+  return std::all_of(all.begin(), all.end(), [](const auto& each) {
+    each->turn.give();
+    return each->processes.finish();
+  });
 }
 
 }  // namespace synthetic_dataset::programs

@@ -22,4 +22,9 @@ using PieceOfWork = std::function<bool(int index, run::Reporter& reporter)>;
 /// @throws ErrorList with what went wrong in any of them, each error once; the others are stopped
 [[nodiscard]] bool doInProcesses(int count, const PieceOfWork& work, run::Reporter& reporter);
 
+/// Does pieces of work one after the other, as doInProcesses does a single one. All processes are
+/// there from the beginning, so that what one piece makes this process do (threads of ROS's topics)
+/// is in the way of no other. Ends with the first piece that is stopped or goes wrong.
+[[nodiscard]] bool doInTurn(int count, const PieceOfWork& work, run::Reporter& reporter);
+
 }  // namespace synthetic_dataset::programs

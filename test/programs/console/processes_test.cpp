@@ -106,6 +106,27 @@ TEST_F(Processes, StopWhenTheyAreToldTo) {
   EXPECT_FALSE(doInProcesses(2, work, reporter));
 }
 
+TEST_F(Processes, AreAllForkedBeforeTheFirstHasItsTurn) {
+  std::string value = "before";  // what this process does meanwhile does not reach them
+  class Changing : public NotingReporter {
+   public:
+    explicit Changing(std::string& value) : value_(value) {}
+    void info(const std::string& message) override {
+      NotingReporter::info(message);
+      value_ = "after";
+    }
+
+   private:
+    std::string& value_;
+  } changing(value);
+  const auto work = [&](int index, run::Reporter& told) {
+    told.info(std::to_string(index) + " " + value);
+    return index < 2;
+  };
+  EXPECT_FALSE(doInTurn(4, work, changing));
+  EXPECT_THAT(changing.infos, ElementsAre("0 before", "1 before", "2 before"));
+}
+
 TEST_F(Processes, TellEachErrorOnceAndStopTheOthers) {
   const auto work = [](int index, run::Reporter& told) -> bool {
     if (index == 2) return workUntilStopped(told);
