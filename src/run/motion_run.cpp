@@ -110,7 +110,6 @@ void MotionRun::advanceWorld(Stamp stamp) {
     }
     motion_.history->add(stamp, std::move(moment));
   }
-  for (const std::string& gap : object_motion_.takeGaps()) pending_warnings_.push_back({gap});
 }
 
 /// The scenes of one instant: one a camera. Where none of them is to be made, the world goes
@@ -130,7 +129,8 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
       if (motion_.config.hasRecordedImages()) continue;  // read when the scene is finished
       each.image = picture_taker_.develop(scene.camera_index, scene.index);
     }
-    // Warnings go to the instant's first scene.
+    // Warnings go to the instant's first scene: those of all times since the instant before.
+    for (const std::string& gap : object_motion_.takeGaps()) pending_warnings_.push_back({gap});
     if (!scenes.empty()) scenes.front().warnings = std::exchange(pending_warnings_, {});
     for (DrawnScene& each : scenes) {
       if (work.hasScene(each.seen.scene.index)) drawn_.push_back(std::move(each));
@@ -155,6 +155,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   }
   if (waits) develop();
   pending_warnings_.clear();
+  (void)object_motion_.takeGaps();  // of an instant of which no scene is made
 }
 
 /// Places everything that is placed for each scene, at the time when the first shutter opens.

@@ -70,7 +70,7 @@ Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X
                           "' of its link '" + link.name +
                           "' is not known to TF all the time; meanwhile the link keeps its place "
                           "on what it hangs on";
-  if (reported_gaps_.insert(gap).second) gaps_.push_back(gap);
+  gaps_.insert(gap);
   return X_GP * link.X_PL;
 }
 
@@ -96,6 +96,6 @@ std::vector<std::optional<Pose>> ObjectMotion::objectPoses(Stamp time) {
   return poses;
 }
 
-std::vector<std::string> ObjectMotion::takeGaps() { return std::exchange(gaps_, {}); }
+std::set<std::string> ObjectMotion::takeGaps() { return std::exchange(gaps_, {}); }
 
 }  // namespace synthetic_dataset::scene

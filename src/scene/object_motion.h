@@ -31,9 +31,8 @@ class ObjectMotion {
   /// X_GO of all objects; nothing for those whose frames have not been known yet.
   [[nodiscard]] std::vector<std::optional<Pose>> objectPoses(Stamp time);
 
-  /// The links whose frames were found unknown at some time since the last call, each reported
-  /// once in all.
-  [[nodiscard]] std::vector<std::string> takeGaps();
+  /// The links whose frames were found unknown at some time since the last call.
+  [[nodiscard]] std::set<std::string> takeGaps();
 
  private:
   struct LinkState {
@@ -63,8 +62,7 @@ class ObjectMotion {
   const motion::FrameSource& frames_;
   std::vector<Object> objects_;
   std::vector<Variant> variants_;  ///< of all objects in turn
-  std::vector<std::string> gaps_;
-  std::set<std::string> reported_gaps_;  ///< variants have the same ones
+  std::set<std::string> gaps_;     ///< variants have the same ones
 };
 
 }  // namespace synthetic_dataset::scene

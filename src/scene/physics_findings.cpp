@@ -18,9 +18,8 @@ std::vector<base::ContactFacts> PhysicsFindings::contacts(
   return contacts;
 }
 
-void PhysicsFindings::addFallen(Stamp stamp, std::vector<base::Warning>& warnings) {
+void PhysicsFindings::addFallen(Stamp stamp, std::vector<base::Warning>& warnings) const {
   for (const std::string& name : world_.fallenProps()) {
-    if (!fallen_.insert(name).second) continue;
     warnings.push_back(
         {"model '" + name + "' has fallen out of the world: it is not static, and nothing holds it",
          "at " + fixed(toSeconds(stamp), 3) + " s"});

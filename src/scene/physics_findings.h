@@ -1,6 +1,5 @@
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -24,14 +23,13 @@ class PhysicsFindings {
   [[nodiscard]] std::vector<base::ContactFacts> contacts(
       Stamp stamp, std::vector<base::Warning>& warnings) const;
 
-  /// Warns of models that have left the world, once of each: a picture without them must not go
-  /// unexplained.
-  void addFallen(Stamp stamp, std::vector<base::Warning>& warnings);
+  /// Warns of models that have left the world, in each scene that is without them: what a scene
+  /// says must not depend on which scenes this process has made before it.
+  void addFallen(Stamp stamp, std::vector<base::Warning>& warnings) const;
 
  private:
   const world::World& world_;
   double tolerance_;
-  std::set<std::string> fallen_;  ///< models that were warned of
 };
 
 }  // namespace synthetic_dataset::scene

@@ -43,6 +43,28 @@ TEST_F(ResumedRunTest, GivesTheBytesOfAnUnbrokenOne) {
   }
 }
 
+/// What a scene says of the world does not hang on which scenes its process has made before.
+TEST_F(ResumedRunTest, SaysTheSameOfAPropThatHasFallenOutOfTheWorld) {
+  std::string world = test::readFile(run.input("tiny.world"));
+  const std::string place = "<model name=\"ball\"><pose>0.3 -0.8";
+  world.replace(world.find(place), place.size(),
+                "<gravity>0 0 -60</gravity><model name=\"ball\"><pose>30 30");
+  std::ofstream(run.input("tiny.world")) << world;
+  const RunSummary whole = run.run();
+  EXPECT_THAT(whole.warnings, Contains(HasSubstr("'ball' has fallen out of the world")));
+  const auto& unbroken = run.unbroken();
+  fs::remove_all(run.folder());
+  stopAfter(13);
+  (void)run.run();
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == unbroken);
+  fs::remove_all(run.folder());
+  run.parameters["only_scenes"] = Value(Value::List{Value(7)});
+  (void)run.run();
+  run.parameters.erase("only_scenes");
+  (void)run.run();
+  EXPECT_TRUE(AllAtOnceRun::files(run.folder()) == unbroken);
+}
+
 TEST_F(ResumedRunTest, TellsOfTheWholeDataset) {
   const RunSummary unbroken = run.run();
   fs::remove_all(run.folder());

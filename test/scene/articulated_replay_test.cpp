@@ -290,7 +290,7 @@ TEST_F(ArticulatedReplay, AGapLeavesTheLinkInPlaceAndTheSceneIn) {
                                                    HasSubstr("link 'fore'"))));
   LinkPoses late = linksAt(setup, motion, 15);
   expectAt(late["fore"], base(15) * shoulder(15) * elbow(15));
-  EXPECT_THAT(motion.takeGaps(), IsEmpty());
+  EXPECT_THAT(motion.takeGaps(), SizeIs(1)) << "of another scene";
 }
 
 TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
