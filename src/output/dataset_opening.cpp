@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -12,7 +13,9 @@
 #include "output/files/digest.h"
 #include "output/files/file_name_rules.h"
 #include "output/files/pending_file.h"
+#include "output/files/run_lock.h"
 #include "output/manifest/manifest.h"
+#include "output/manifest/manifest_schema.h"
 #include "output/preflight.h"
 #include "synthetic_dataset/errors.h"
 
@@ -127,6 +130,40 @@ void requireSameRun(const ManifestContent& earlier, const std::string& folder,
   throw ErrorList(reasons);
 }
 
+/// The manifest of a shard that a lock or a pending file belongs to; empty for other files.
+std::string shardManifestOf(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  for (const std::string end : {".lock", ".tmp"}) {
+    if (name.size() <= end.size() || name.front() != '.') continue;
+    const std::size_t size = name.size() - end.size();
+    const std::string manifest = name.substr(1, size - 1);
+    if (name.compare(size, end.size(), end) == 0 && shardOfManifest(manifest)) {
+      return (file.parent_path() / manifest).string();
+    }
+  }
+  return "";
+}
+
+/// Removes what runs of shards have left that were killed before they had a manifest: no later run
+/// would, unless it made the same shards.
+void removeLeftOfShards(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::set<std::string> manifests;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string manifest = shardManifestOf(entry->path());
+    if (!manifest.empty() && !fs::exists(manifest)) manifests.insert(manifest);
+  }
+  for (const std::string& manifest : manifests) {
+    try {
+      const RunLock lock_of_the_dead(manifest);
+      fs::remove(temporaryPath(manifest), error);
+    } catch (const Error&) {  // it is not dead
+    }
+  }
+}
+
 /// Makes sure that the run can begin, and only then removes what it is to replace.
 /// @return the lock of the new run's manifest
 std::unique_ptr<RunLock> clearTheWay(const StoreOptions& options, const EarlierDataset& earlier,
@@ -141,6 +178,7 @@ std::unique_ptr<RunLock> clearTheWay(const StoreOptions& options, const EarlierD
 
   auto lock = std::make_unique<RunLock>(manifest);
   if (options.if_exists == IfExists::kOverwrite) earlier.remove();
+  if (!options.shard) removeLeftOfShards(options.folder);
   makeFolders(options.folder, writers, probe);  // again: empty ones went with the earlier dataset
   if (!probe.problems().empty()) throw ErrorList(probe.problems());
   probe.keepFolders();
@@ -210,6 +248,7 @@ OpenedDataset resume(const StoreOptions& options, const std::vector<StoreWriter>
   opened.lock = std::move(lock);
   opened.manifest =
       std::make_unique<Manifest>(Manifest::open(options.folder, options.shard, options.sync));
+  if (!options.shard) removeLeftOfShards(options.folder);
   if (earlier.complete) opened.manifest->reopen();
   dropUnfinished(*opened.manifest);
   return opened;

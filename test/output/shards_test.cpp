@@ -1,10 +1,13 @@
 /// Datasets that are made in shards.
 
 #include <filesystem>
+#include <fstream>
 #include <ostream>
+#include <set>
 
 #include <gmock/gmock.h>
 
+#include "output/files/run_lock.h"
 #include "output/store_fixture.h"
 #include "synthetic_dataset/errors.h"
 
@@ -148,6 +151,26 @@ TEST_F(ShardsTest, AreReplacedByAWholeRunThatOverwrites) {
   { const DatasetStore store(options, writersIn(folder_)); }
   EXPECT_FALSE(fs::exists(folder_ + "/a/0"));
   EXPECT_FALSE(fs::exists(folder_ + "/manifest.shard-0-of-2.sqlite"));
+}
+
+TEST_F(ShardsTest, LeaveNothingBehindWhenTheyAreKilledAtTheirStart) {
+  for (const char* name :
+       {".manifest.shard-0-of-2.sqlite.lock", ".manifest.shard-0-of-2.sqlite.tmp",
+        ".manifest.shard-1-of-3.sqlite.lock", ".users.lock"}) {
+    std::ofstream(folder_ + "/" + name) << "";
+  }
+  const RunLock alive(folder_ + "/manifest.shard-2-of-3.sqlite");
+  { DatasetStore store(optionsIn(folder_), writersIn(folder_)); }
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    left.insert(entry.path().filename().string());
+  }
+  EXPECT_THAT(left, testing::IsSupersetOf({".users.lock", ".manifest.shard-2-of-3.sqlite.lock"}));
+  for (const char* name :
+       {".manifest.shard-0-of-2.sqlite.lock", ".manifest.shard-0-of-2.sqlite.tmp",
+        ".manifest.shard-1-of-3.sqlite.lock"}) {
+    EXPECT_EQ(left.count(name), 0U) << name;
+  }
 }
 
 TEST_F(ShardsTest, OverwriteOnlyWhatIsTheirOwn) {

@@ -1,6 +1,7 @@
 #include "output/files/pending_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -65,6 +66,19 @@ class OpenFile {
     if (descriptor_ < 0) return;
     if (::close(descriptor_) != 0 && error_ == 0 && errno != EINTR) error_ = errno;
     descriptor_ = -1;
+  }
+
+  /// Whether it, and no other file, has this path.
+  [[nodiscard]] bool isAt(const std::string& path) const {
+    struct stat own {};
+    struct stat there {};
+    return ::fstat(descriptor_, &own) == 0 && ::lstat(path.c_str(), &there) == 0 &&
+           own.st_dev == there.st_dev && own.st_ino == there.st_ino;
+  }
+
+  [[nodiscard]] std::int64_t size() const {
+    struct stat own {};
+    return ::fstat(descriptor_, &own) == 0 ? own.st_size : -1;
   }
 
   /// `errno` of the first failure, 0 for none.
@@ -162,11 +176,19 @@ PendingFile PendingFile::withContent(const std::string& path,
 PendingFile PendingFile::writtenBy(const std::string& path,
                                    const std::function<void(const std::string& file)>& write) {
   PendingFile pending(path);
+  // Nobody's file or link has its name now; who opens it by that name must come to the same one.
+  OpenFile own(pending.temporary_path_);
+  const char unwritten = '\0';  // gone once somebody opens the file to write it
+  own.write(&unwritten, 1);
+  if (own.error() != 0) failToWrite(path, own.error());
   write(pending.temporary_path_);
-  std::error_code error;
-  pending.size_ =
-      static_cast<std::int64_t>(std::filesystem::file_size(pending.temporary_path_, error));
-  if (error) failToWrite(path, error.message());
+  if (!own.isAt(pending.temporary_path_)) {
+    failToWrite(path, "somebody else has removed or replaced it while it was written");
+  }
+  pending.size_ = own.size();
+  if (pending.size_ == 1 && readWholeFile(pending.temporary_path_).front() == unwritten) {
+    failToWrite(path, ENOENT);
+  }
   return pending;
 }
 

@@ -19,9 +19,11 @@ std::string uriOf(const std::string& file) {
 
 }  // namespace
 
-void SqliteDatabase::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
+void SqliteConnection::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
 
-SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode) : file_(file) {
+SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)
+    : connection_(std::make_unique<SqliteConnection>()) {
+  connection_->file = file;
   const int flags = mode == Mode::kReadOnly ? SQLITE_OPEN_READONLY
                     : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                                             : SQLITE_OPEN_READWRITE;
@@ -34,7 +36,7 @@ SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode) : file_(file)
 void SqliteDatabase::open(const std::string& name, int flags) {
   sqlite3* handle = nullptr;
   const int result = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
-  handle_.reset(handle);  // there is one even after a failure, for the message
+  connection_->handle.reset(handle);  // there is one even after a failure, for the message
   if (result != SQLITE_OK) fail();
 }
 
@@ -44,9 +46,9 @@ void SqliteDatabase::open(const std::string& name, int flags) {
 void SqliteDatabase::readWhereNobodyCanWrite() {
   const int result =
       sqlite3_exec(handle(), "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
-  const bool has_log = access((file_ + "-wal").c_str(), F_OK) == 0;
+  const bool has_log = access((connection_->file + "-wal").c_str(), F_OK) == 0;
   if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is reported where it matters
-  open(uriOf(file_) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  open(uriOf(connection_->file) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 /// A file of somebody else's may call a view what should be a table, which never ends.
@@ -58,7 +60,8 @@ void SqliteDatabase::requireTablesOnly() const {
                          "SELECT name FROM sqlite_master WHERE type NOT IN ('table', 'index') "
                          "OR sql LIKE 'CREATE VIRTUAL%'");
   if (others.step()) {
-    throw Error("'" + file_ + "': it has '" + others.text(0) + "', which is no plain table");
+    throw Error("'" + connection_->file + "': it has '" + others.text(0) +
+                "', which is no plain table");
   }
 }
 
@@ -66,12 +69,14 @@ void SqliteDatabase::execute(const std::string& sql) const {
   if (sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
 }
 
-void SqliteDatabase::fail() const { throw Error("'" + file_ + "': " + sqlite3_errmsg(handle())); }
+void SqliteConnection::fail() const {
+  throw Error("'" + file + "': " + sqlite3_errmsg(handle.get()));
+}
 
 void SqliteStatement::Finalize::operator()(sqlite3_stmt* handle) const { sqlite3_finalize(handle); }
 
 SqliteStatement::SqliteStatement(const SqliteDatabase& database, const std::string& sql)
-    : database_(database) {
+    : database_(&database.connection()) {
   sqlite3_stmt* handle = nullptr;
   const int result = sqlite3_prepare_v2(database.handle(), sql.c_str(),
                                         static_cast<int>(sql.size()), &handle, nullptr);
@@ -85,12 +90,12 @@ std::optional<std::string> SqliteStatement::runWithRow(const SqliteStatement& ro
   const int count = sqlite3_bind_parameter_count(handle_.get());
   for (int i = 0; i < count; ++i) {
     sqlite3_value* value = sqlite3_column_value(row.handle_.get(), first_column + i);
-    if (sqlite3_bind_value(handle_.get(), i + 1, value) != SQLITE_OK) database_.fail();
+    if (sqlite3_bind_value(handle_.get(), i + 1, value) != SQLITE_OK) database_->fail();
   }
   const int result = sqlite3_step(handle_.get());
   if (result == SQLITE_DONE) return std::nullopt;
-  if (result != SQLITE_CONSTRAINT) database_.fail();
-  const std::string broken = sqlite3_errmsg(database_.handle());
+  if (result != SQLITE_CONSTRAINT) database_->fail();
+  const std::string broken = sqlite3_errmsg(database_->handle.get());
   const std::string of_check = "CHECK constraint failed: ";  // and then its name
   return broken.rfind(of_check, 0) == 0 ? broken.substr(of_check.size()) : broken;
 }
@@ -102,7 +107,7 @@ bool SqliteStatement::step() {
     case SQLITE_DONE:
       return false;
     default:
-      database_.fail();
+      database_->fail();
   }
 }
 
@@ -134,29 +139,29 @@ std::string SqliteStatement::blob(int column) const {
 }
 
 void SqliteStatement::bind(int index, std::int64_t value) {
-  if (sqlite3_bind_int64(handle_.get(), index, value) != SQLITE_OK) database_.fail();
+  if (sqlite3_bind_int64(handle_.get(), index, value) != SQLITE_OK) database_->fail();
 }
 
 void SqliteStatement::bind(int index, double value) {
-  if (sqlite3_bind_double(handle_.get(), index, value) != SQLITE_OK) database_.fail();
+  if (sqlite3_bind_double(handle_.get(), index, value) != SQLITE_OK) database_->fail();
 }
 
 void SqliteStatement::bind(int index, const std::string& value) {
   if (sqlite3_bind_text64(handle_.get(), index, value.data(), value.size(), SQLITE_TRANSIENT,
                           SQLITE_UTF8) != SQLITE_OK) {
-    database_.fail();
+    database_->fail();
   }
 }
 
 void SqliteStatement::bind(int index, const Blob& value) {
   if (sqlite3_bind_blob64(handle_.get(), index, value.bytes.data(), value.bytes.size(),
                           SQLITE_TRANSIENT) != SQLITE_OK) {
-    database_.fail();
+    database_->fail();
   }
 }
 
 void SqliteStatement::bindNull(int index) {
-  if (sqlite3_bind_null(handle_.get(), index) != SQLITE_OK) database_.fail();
+  if (sqlite3_bind_null(handle_.get(), index) != SQLITE_OK) database_->fail();
 }
 
 std::vector<std::string> textsOf(const SqliteDatabase& database, const std::string& sql) {

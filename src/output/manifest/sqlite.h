@@ -11,6 +11,19 @@ struct sqlite3_stmt;
 
 namespace synthetic_dataset::output {
 
+/// What statements need of their database, at a place of its own: they outlive that it is moved.
+struct SqliteConnection {
+  struct Close {
+    void operator()(sqlite3* handle) const;
+  };
+
+  /// Throws what SQLite says about its last failure.
+  [[noreturn]] void fail() const;
+
+  std::string file;
+  std::unique_ptr<sqlite3, Close> handle;
+};
+
 /// An open SQLite file; closed when it goes out of scope.
 class SqliteDatabase {
  public:
@@ -22,10 +35,10 @@ class SqliteDatabase {
   /// Runs statements that have neither parameters nor results.
   void execute(const std::string& sql) const;
 
-  /// Throws what SQLite says about its last failure.
-  [[noreturn]] void fail() const;
+  [[noreturn]] void fail() const { connection_->fail(); }
 
-  [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
+  [[nodiscard]] sqlite3* handle() const { return connection_->handle.get(); }
+  [[nodiscard]] const SqliteConnection& connection() const { return *connection_; }
 
  private:
   /// @throws Error for an existing file that has anything else
@@ -33,11 +46,7 @@ class SqliteDatabase {
   void open(const std::string& name, int flags);
   void readWhereNobodyCanWrite();
 
-  struct Close {
-    void operator()(sqlite3* handle) const;
-  };
-  std::string file_;
-  std::unique_ptr<sqlite3, Close> handle_;
+  std::unique_ptr<SqliteConnection> connection_;
 };
 
 /// Bytes that are no text.
@@ -45,7 +54,7 @@ struct Blob {
   std::string bytes;
 };
 
-/// A prepared statement. Must not outlive its database.
+/// A prepared statement. Must not outlive its database, which may be moved.
 class SqliteStatement {
  public:
   SqliteStatement(const SqliteDatabase& database, const std::string& sql);
@@ -102,7 +111,7 @@ class SqliteStatement {
   struct Finalize {
     void operator()(sqlite3_stmt* handle) const;
   };
-  const SqliteDatabase& database_;
+  const SqliteConnection* database_;
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
@@ -121,7 +130,7 @@ class SqliteTransaction {
   void commit();
 
  private:
-  const SqliteDatabase& database_;
+  const SqliteDatabase& database_;  ///< which is not moved meanwhile
   bool open_ = true;
 };
 

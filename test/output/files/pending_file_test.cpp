@@ -120,12 +120,23 @@ TEST_F(PendingFileTest, IsWrittenByALibraryUnderItsTemporaryName) {
   EXPECT_FALSE(fs::exists(path("deep/.a.tmp")));
 }
 
-TEST_F(PendingFileTest, GivesALibraryANameThatIsFree) {
-  folder_.write(".a.tmp", "of a killed run");
-  PendingFile::writtenBy(path("a"), [](const std::string& name) {
-    EXPECT_FALSE(fs::exists(name));
-    std::ofstream(name) << "x";
-  });
+TEST_F(PendingFileTest, GivesALibraryAFileOfItsOwn) {
+  folder_.write("original", "of a killed run");
+  fs::create_hard_link(path("original"), path(".a.tmp"));
+  PendingFile::writtenBy(path("a"), [](const std::string& name) { std::ofstream(name) << "x"; });
+  EXPECT_EQ(test::readFile(path("original")), "of a killed run");
+}
+
+/// Somebody who may write into the folder, too, puts a link where a library is about to write.
+TEST_F(PendingFileTest, TakesNothingThatSomebodyElseHasPutInItsPlace) {
+  folder_.write("strangers", "of a stranger");
+  const auto write = [&](const std::string& name) {
+    fs::remove(name);
+    fs::create_symlink(path("strangers"), name);
+  };
+  EXPECT_THROW(PendingFile::writtenBy(path("a"), write), Error);
+  EXPECT_EQ(test::readFile(path("strangers")), "of a stranger");
+  EXPECT_FALSE(fs::exists(path("a")));
 }
 
 TEST_F(PendingFileTest, LeavesNothingOfALibraryThatFails) {

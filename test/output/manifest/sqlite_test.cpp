@@ -1,5 +1,9 @@
 #include "output/manifest/sqlite.h"
 
+#include <cstdint>
+#include <memory>
+#include <utility>
+
 #include <gmock/gmock.h>
 
 #include "support/error_messages.h"
@@ -40,6 +44,17 @@ TEST_F(Sqlite, RefusesTriggers) {
   make("CREATE TABLE a (x); CREATE TRIGGER t AFTER INSERT ON a BEGIN DELETE FROM a; END;");
   EXPECT_THAT(test::messagesOf([&] { open(); }),
               testing::ElementsAre(HasSubstr("it has 't', which is no plain")));
+}
+
+TEST_F(Sqlite, SaysWhatIsWrongAfterItWasMoved) {
+  auto database = std::make_unique<SqliteDatabase>(file(), SqliteDatabase::Mode::kCreate);
+  database->execute("CREATE TABLE a (x INTEGER CHECK (x < 10))");
+  SqliteStatement insert(*database, "INSERT INTO a VALUES (?)");
+  const SqliteDatabase moved = std::move(*database);
+  database.reset();
+  EXPECT_NO_THROW(insert.run(std::int64_t{1}));
+  EXPECT_THAT(test::messagesOf([&] { insert.run(std::int64_t{10}); }),
+              testing::ElementsAre(HasSubstr("a.sqlite': CHECK constraint failed")));
 }
 
 TEST_F(Sqlite, NamesAFileThatIsNone) {
