@@ -13,6 +13,8 @@ namespace {
 constexpr double kStraightness =
     0.02;  // [px] how far a piece of an outline may stray from straight
 
+constexpr double kFarthestPixel = 1e12;  // [px]
+
 using Outline = std::vector<Eigen::Vector2d>;
 
 /// What the camera sees in a direction, at whatever distance.
@@ -24,7 +26,10 @@ class Screen {
     const auto place = distort(camera_.distortion(), camera_.largestAngle(), direction);
     if (!place) return std::nullopt;
     const Intrinsics& k = camera_.intrinsics();
-    return Eigen::Vector2d(k.fx * place->x() + k.cx, k.fy * place->y() + k.cy);
+    const Eigen::Vector2d pixel(k.fx * place->x() + k.cx, k.fy * place->y() + k.cy);
+    // Farther away there is nothing to be exact about, up to numbers that are none.
+    if (!(pixel.cwiseAbs().maxCoeff() < kFarthestPixel)) return std::nullopt;
+    return pixel;
   }
 
   /// Lets the box hold a pixel.

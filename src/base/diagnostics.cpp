@@ -7,14 +7,12 @@ namespace synthetic_dataset::base {
 std::string Diagnostic::message() const { return where.empty() ? what : where + ": " + what; }
 
 void Diagnostics::add(Diagnostic found) {
-  const std::string message = found.message();
-  const auto known = std::find_if(all_.begin(), all_.end(), [&](const Diagnostic& each) {
-    return each.severity == found.severity && each.message() == message;
-  });
-  if (known == all_.end()) {
+  const auto [known, is_new] =
+      places_.emplace(std::pair(found.severity, found.message()), all_.size());
+  if (is_new) {
     all_.push_back(std::move(found));
   } else {
-    known->count += found.count;
+    all_[known->second].count += found.count;
   }
 }
 

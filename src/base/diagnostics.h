@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -99,6 +101,7 @@ class Diagnostics {
   }
 
   std::vector<Diagnostic> all_;
+  std::map<std::pair<Severity, std::string>, std::size_t> places_;  ///< of their messages in it
 };
 
 /// Does some work for a setting or a file; errors that it throws name that then:

@@ -10,6 +10,7 @@
 #include <tinyxml2.h>
 
 #include "base/input_file.h"
+#include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
@@ -99,13 +100,13 @@ class Search {
       found.broken.emplace_back(folder, error.what());
       return;
     }
-    const bool is_xml = document.Parse(text.c_str(), text.size()) == tinyxml2::XML_SUCCESS;
+    const auto fault = parseXml(document, text);
     const tinyxml2::XMLElement* root = document.RootElement();
     const std::string_view kind = root != nullptr ? root->Name() : "";
-    if (!is_xml) {
-      found.broken.emplace_back(
-          folder, manifest.string() + ": line " + std::to_string(document.ErrorLineNum()) +
-                      " cannot be read as XML (" + document.ErrorName() + ")");
+    if (fault) {
+      found.broken.emplace_back(folder, manifest.string() + ": line " +
+                                            std::to_string(fault->line) +
+                                            " cannot be read as XML (" + fault->reason + ")");
       return;
     }
     if (kind != "package") {

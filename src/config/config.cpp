@@ -99,7 +99,7 @@ render::RenderOptions readRendering(Parameters& root) {
   rendering.samples = group.optional("samples", rendering.samples);
   if (rendering.samples != 1 && rendering.samples != 4) {
     group.addError("samples", "found " + std::to_string(rendering.samples) +
-                                  "; it should be 1 or 4, which is what OSMesa can do");
+                                  "; it should be 1 or 4, which is what Mesa can do");
     rendering.samples = 4;
   }
   rendering.shadow_map_size =
@@ -190,19 +190,29 @@ std::string inOtherGroups(const Parameters& root, const std::string& name) {
 
 std::vector<std::string> unknownParameterErrors(Parameters root,
                                                 const std::vector<std::string>& names) {
+  constexpr std::size_t kMostListed = 100;  // to find what each is near to takes time
   // Asking whether a block is unused makes it known, so the suggestions come first.
   std::vector<std::pair<std::string, std::string>> found;
   for (const std::string& name : names) {
     const std::string last = name.substr(name.rfind('/') + 1);
-    const std::string near = didYouMean(last, root.knownNeighbours(name));
-    found.emplace_back(name, near.empty() ? inOtherGroups(root, last) : near);
+    const bool is_listed = found.size() < kMostListed;
+    const std::string near = is_listed ? didYouMean(last, root.knownNeighbours(name)) : "";
+    found.emplace_back(name, is_listed && near.empty() ? inOtherGroups(root, last) : near);
   }
   std::vector<std::string> errors;
+  std::size_t unlisted = 0;
   for (const auto& [name, suggestion] : found) {
     if (root.has(name) && isUnusedBlock(*root.maybe<Value>(name))) continue;
+    if (errors.size() >= kMostListed) {
+      ++unlisted;
+      continue;
+    }
     const bool is_group = root.has(name) && root.maybe<Value>(name)->is<Value::Map>();
     errors.push_back(name + ": unknown parameter" + suggestion +
                      (is_group ? "; nothing in robot_list or writers has this name" : ""));
+  }
+  if (unlisted > 0) {
+    errors.push_back(std::to_string(unlisted) + " more names: unknown parameters, too");
   }
   return errors;
 }

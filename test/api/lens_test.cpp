@@ -238,6 +238,16 @@ TEST(Barrel, EndsWhereItWouldFoldBack) {
   EXPECT_FALSE(camera.projectedBounds({{3, 3, 1}, {4, 3, 1}, {3, 4, 1}}));
 }
 
+/// Its places on the picture are beyond all numbers, where no outline ever gets straight.
+TEST(Barrel, OfCoefficientsThatAreLargeBeyondMeasureComesToAnEnd) {
+  for (const double k1 : {1e300, 1e150, -1e300, 1e12}) {
+    const CameraModel camera = cameraWith({DistortionModel::kPlumbBob, {k1}});
+    (void)camera.projectedBounds({{-1, -1, 2}, {1, -1, 2}, {1, 1, 3}, {-1, 1, 3}, {0.1, 0.2, 5}});
+    const CameraModel tangential = cameraWith({DistortionModel::kPlumbBob, {0.0, 0.0, k1}});
+    (void)tangential.projectedBounds({{-1, -1, 2}, {1, -1, 2}, {1, 1, 3}});
+  }
+}
+
 TEST(CameraModel, RefusesADistortionThatIsNoNumber) {
   EXPECT_THAT(test::messagesOf([] {
                 cameraWith({DistortionModel::kPlumbBob, {NAN}});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace synthetic_dataset::base {
 namespace diagnostics_test {
@@ -20,6 +21,16 @@ TEST(Diagnostics, SeparatesErrorsWarningsAndNotesAndNamesTheirPlaces) {
               ElementsAre("camera/far: found -1", "world.sdf:12: no mesh"));
   EXPECT_THAT(found.messages(Severity::kWarning), ElementsAre("no sun"));
   EXPECT_THAT(found.messages(Severity::kNote), ElementsAre("crate/safety_radius: 0.4 m"));
+}
+
+TEST(Diagnostics, TakesManyDifferentMessages) {
+  Diagnostics found;
+  for (int i = 0; i < 100000; ++i) found.warning("setting " + std::to_string(i), "is odd");
+  found.warning("setting 7", "is odd", 2);
+  found.error("setting 7", "is odd");
+  ASSERT_EQ(found.all().size(), 100001U);
+  EXPECT_EQ(found.all()[7].count, 3);
+  EXPECT_EQ(found.all().back().count, 1);
 }
 
 TEST(Diagnostics, KeepsWhatStepsThrowAndGoesOn) {

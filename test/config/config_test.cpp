@@ -426,6 +426,16 @@ TEST(UnknownParameters, AreErrorsThatSayWhatTheyMayHaveMeant) {
                            HasSubstr("yolo/main_list"), HasSubstr("bounding_shape/output_frame")));
 }
 
+/// What each is near to takes time, and nobody reads so many lines.
+TEST(UnknownParameters, AreListedAsFarAsSomebodyMayReadThem) {
+  std::string names;
+  for (int i = 0; i < 20000; ++i) names += "simulated_" + std::to_string(i) + ": 1\n";
+  const Reading reading(plus(names));
+  const auto errors = unknownParameterErrors(reading.root, reading.root.unknownNames());
+  EXPECT_EQ(errors.size(), 101U);
+  EXPECT_THAT(errors.back(), HasSubstr(" more names: unknown parameters, too"));
+}
+
 TEST(UnknownParameters, BlocksOfUnusedObjectsAndWritersAreLeftInPeace) {
   const Reading reading(
       plus("writers: [{name: mine, type: p/T}]\n"

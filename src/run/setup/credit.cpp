@@ -9,6 +9,8 @@
 
 #include <tinyxml2.h>
 
+#include "base/input_file.h"
+#include "base/xml_text.h"
 #include "base/yaml_value.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/value.h"
@@ -60,9 +62,9 @@ Credit creditOfCollada(const fs::path& file) {
   const std::size_t last = first == std::string::npos ? first : head.find(end, first);
   if (last == std::string::npos) return {};
   tinyxml2::XMLDocument document;
-  document.Parse(head.c_str() + first, last + end.size() - first);
+  const auto fault = base::parseXml(document, head.substr(first, last + end.size() - first));
   const tinyxml2::XMLElement* asset = document.RootElement();
-  if (document.Error() || asset == nullptr) return {};
+  if (fault || asset == nullptr) return {};
   std::string author;
   std::string license;
   forEachChild(*asset, "contributor", [&](const tinyxml2::XMLElement& contributor) {
@@ -109,36 +111,43 @@ Credit creditOfGltf(const fs::path& file) {
   }
 }
 
-std::optional<tinyxml2::XMLError> load(const fs::path& file, tinyxml2::XMLDocument& document) {
+/// The first element of a file; null where it is not there, or no XML.
+const tinyxml2::XMLElement* rootOf(const fs::path& file, tinyxml2::XMLDocument& document) {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  return document.LoadFile(file.c_str());
+  if (!fs::is_regular_file(file, ignored)) return nullptr;
+  try {
+    return base::parseXml(document, base::readInput(file)) ? nullptr : document.RootElement();
+  } catch (const Error&) {  // it may not be read
+    return nullptr;
+  }
 }
 
 Credit creditOfModelConfig(const fs::path& file) {
   tinyxml2::XMLDocument document;
-  if (load(file, document) != tinyxml2::XML_SUCCESS || document.RootElement() == nullptr) return {};
+  const tinyxml2::XMLElement* root = rootOf(file, document);
+  if (root == nullptr) return {};
   std::string author;
   std::string license;
-  forEachChild(*document.RootElement(), "author", [&](const tinyxml2::XMLElement& each) {
+  forEachChild(*root, "author", [&](const tinyxml2::XMLElement& each) {
     add(author, textOf(each.FirstChildElement("name")));
   });
-  forEachChild(*document.RootElement(), "license",
+  forEachChild(*root, "license",
                [&](const tinyxml2::XMLElement& each) { add(license, textOf(&each)); });
   return namedIn(file, author, license);
 }
 
 Credit creditOfPackage(const fs::path& file) {
   tinyxml2::XMLDocument document;
-  if (load(file, document) != tinyxml2::XML_SUCCESS || document.RootElement() == nullptr) return {};
+  const tinyxml2::XMLElement* root = rootOf(file, document);
+  if (root == nullptr) return {};
   std::string author;
   std::string license;
   for (const char* role : {"author", "maintainer"}) {
     if (!author.empty()) break;
-    forEachChild(*document.RootElement(), role,
+    forEachChild(*root, role,
                  [&](const tinyxml2::XMLElement& each) { add(author, textOf(&each)); });
   }
-  forEachChild(*document.RootElement(), "license",
+  forEachChild(*root, "license",
                [&](const tinyxml2::XMLElement& each) { add(license, textOf(&each)); });
   return namedIn(file, author, license);
 }

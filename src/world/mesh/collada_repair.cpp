@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include "base/input_file.h"
+#include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
 
@@ -108,9 +109,9 @@ bool saysYUp(const XMLElement& root) {
 
 ColladaText prepareCollada(const std::filesystem::path& file) {
   tinyxml2::XMLDocument document;
-  if (document.Parse(base::readInput(file).c_str()) != tinyxml2::XML_SUCCESS) {
-    throw Error("cannot be read: line " + std::to_string(document.ErrorLineNum()) +
-                " is not XML (" + document.ErrorName() + ")");
+  if (const auto fault = base::parseXml(document, base::readInput(file))) {
+    throw Error("cannot be read: line " + std::to_string(fault->line) + " is not XML (" +
+                fault->reason + ")");
   }
   XMLElement* root = document.FirstChildElement("COLLADA");
   if (root == nullptr) throw Error("cannot be read: it has no <COLLADA> element");

@@ -7,6 +7,7 @@
 #include <tinyxml2.h>
 
 #include "base/input_file.h"
+#include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/resource_finder.h"
 #include "world/sdf/sdf_file.h"
@@ -32,8 +33,8 @@ fs::path configOf(const fs::path& folder) {
 
 std::vector<Listed> listedIn(const fs::path& config) {
   tinyxml2::XMLDocument document;
-  if (document.Parse(base::readInput(config).c_str()) != tinyxml2::XML_SUCCESS) {
-    throw Error("'" + config.string() + "' is not XML: " + document.ErrorStr());
+  if (const auto fault = base::parseXml(document, base::readInput(config))) {
+    throw Error("'" + config.string() + "': " + fault->text());
   }
   const tinyxml2::XMLElement* model = document.FirstChildElement("model");
   std::vector<Listed> files;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/input_file.h"
+#include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
 #include "world/sdf/gz_plugins.h"
 #include "world/sdf/xml_repair.h"
@@ -13,15 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void parseXml(const std::string& text, SdfFile& file) {
-  if (file.document.Parse(text.c_str(), text.size()) == tinyxml2::XML_SUCCESS) return;
-  const int line = file.document.ErrorLineNum();  // 0 in an empty file
-  const std::string reason = (line > 0 ? "line " + std::to_string(line) + ": " : "") +
-                             "cannot be read as XML (" + file.document.ErrorName() + ")";
-  const std::string repaired = repairedXml(text);
-  if (file.document.Parse(repaired.c_str(), repaired.size()) == tinyxml2::XML_SUCCESS) return;
-  const std::string fault = base::textFault(text);
-  throw Error(file.path.string() + ": " + (fault.empty() ? reason : fault));
+void readXml(const std::string& text, SdfFile& file) {
+  const auto fault = base::parseXml(file.document, text);
+  if (!fault || !base::parseXml(file.document, repairedXml(text))) return;
+  const std::string of_text = base::textFault(text);
+  throw Error(file.path.string() + ": " + (of_text.empty() ? fault->text() : of_text));
 }
 
 /// SDF's oldest versions call their root <gazebo>.
@@ -70,7 +67,7 @@ bool hasPluginOfGz(const tinyxml2::XMLDocument& document) {
 std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {
   auto file = std::make_unique<SdfFile>();
   file->path = name;
-  parseXml(text, *file);
+  readXml(text, *file);
   readRoot(*file);
   file->is_of_gz = !file->is_urdf && hasPluginOfGz(file->document);
   if (file->is_urdf) file->text = std::move(text);

@@ -11,6 +11,7 @@
 #include <tinyxml2.h>
 
 #include "base/input_file.h"
+#include "base/xml_text.h"
 #include "world/files/text.h"
 
 namespace synthetic_dataset::world {
@@ -100,12 +101,10 @@ class Preparation {
   Preparation(const ModelText& model, Findings& findings) : model_(model), findings_(findings) {}
 
   std::optional<UrdfText> run() {
-    document_.Parse(model_.text.c_str(), model_.text.size());
-    if (document_.Error()) {
-      const std::string fault = base::textFault(model_.text);
-      addError(document_.ErrorLineNum(),
-               fault.empty() ? std::string("cannot be read as XML (") + document_.ErrorName() + ")"
-                             : fault);
+    if (const auto fault = base::parseXml(document_, model_.text)) {
+      const std::string of_text = base::textFault(model_.text);
+      addError(fault->line,
+               of_text.empty() ? "cannot be read as XML (" + fault->reason + ")" : of_text);
       return std::nullopt;
     }
     XMLElement& robot = *document_.RootElement();

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tinyxml2.h>
+
+namespace synthetic_dataset::base {
+
+/// Why a text is not read as XML.
+struct XmlFault {
+  int line = 0;        ///< 0 where there is none
+  std::string reason;  ///< "XML_ERROR_PARSING_TEXT"
+
+  /// "line 3: cannot be read as XML (XML_ERROR_PARSING_TEXT)"
+  [[nodiscard]] std::string text() const;
+};
+
+/// Reads XML; the only way to it, as a text may be anybody's. An element with more than 1000
+/// attributes is refused, since tinyxml2 compares each attribute with all before it.
+/// @return nothing when `document` has the text
+[[nodiscard]] std::optional<XmlFault> parseXml(tinyxml2::XMLDocument& document,
+                                               const std::string& text);
+
+}  // namespace synthetic_dataset::base
