@@ -33,6 +33,13 @@ class WriterParameters : public Parameters {
   /// the file can be made.
   [[nodiscard]] FileParameter requiredFile(const std::string& name);
 
+  /// Warns of something at the start of the run, before the first scene: what a loader of the
+  /// format will not like about the settings, for one. The run lists it, and the manifest.
+  void addWarning(const std::string& text) { warnings_.push_back(text); }
+
+  /// All of them.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
   /// The paths of all files read with `requiredFile`.
   [[nodiscard]] const std::set<std::string>& files() const { return files_; }
 
@@ -40,6 +47,7 @@ class WriterParameters : public Parameters {
   std::string writer_name_;
   std::string output_folder_;
   std::set<std::string> files_;
+  std::vector<std::string> warnings_;
 };
 
 /// What is known of an object before the first scene.

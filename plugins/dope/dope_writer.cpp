@@ -152,9 +152,25 @@ class DopeWriter : public LabelWriter {
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     dataset_ = dataset;
     options_ = readDopeOptions(parameters);
+    warnOfSmallImages(parameters);
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
       const ObjectModel model = dataset.model(i);
       sizes_.push_back(model.vertices.empty() ? Eigen::Vector3d::Zero() : boundsOf(model).size());
+    }
+  }
+
+  /// train2/utils_dope.py of DOPE: CleanVisiiDopeLoader cuts a square of 400 pixels out of each
+  /// image.
+  void warnOfSmallImages(WriterParameters& parameters) const {
+    constexpr int kCut = 400;  // [px]
+    for (const CameraDescription& camera : dataset_.cameras) {
+      const int width = camera.model.width();
+      const int height = camera.model.height();
+      if (width >= kCut && height >= kCut) continue;
+      parameters.addWarning("the images are of " + std::to_string(width) + " x " +
+                            std::to_string(height) +
+                            " pixels; the loader of DOPE's training cuts 400 x 400 out of each, "
+                            "and fails on smaller ones");
     }
   }
 

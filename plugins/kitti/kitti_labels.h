@@ -8,6 +8,9 @@
 /// What KITTI's benchmarks of objects and of tracking share.
 namespace synthetic_dataset::kitti {
 
+/// How far behind a surface its points of a scan lie [m].
+inline constexpr double kScanDepth = 0.001;
+
 /// Their lines differ in a few columns.
 enum class Benchmark { kObjects, kTracking };
 

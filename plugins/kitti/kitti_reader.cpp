@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/kitti/kitti_labels.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/kitti_files.h"
@@ -66,7 +67,9 @@ DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
       throw Error("'" + scan.string() + "': point " + std::to_string(at / kBytesOfAPoint) +
                   " is not that of the next pixel's centre, with a reflectance of 0");
     }
-    depth.at<float>(v, u) = x;
+    const double range = std::sqrt(double{x} * x + double{y} * y + double{z} * z);
+    depth.at<float>(v, u) =
+        static_cast<float>(x * (1.0 - synthetic_dataset::kitti::kScanDepth / range));
     next = v * depth.cols + u + 1;
   }
   picture.stored = picture.pixels = depth;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -38,7 +39,8 @@ std::optional<Eigen::Vector3d> pointAt(const CameraModel& camera, int u, int v, 
 }
 
 /// What a scanner in the camera's place would measure in the direction of each pixel: x ahead, y
-/// left, z up [m] and a reflectance, of which nothing is known: 0.
+/// left, z up [m] and a reflectance, of which nothing is known: 0. A point lies kScanDepth behind
+/// the surface, seen from the scanner: those on a box's faces would lie outside of it by rounding.
 std::string scanOf(const Scene& scene) {
   constexpr std::size_t kBytesOfAPoint = 16;
   const cv::Mat depth = scene.depth();
@@ -49,7 +51,8 @@ std::string scanOf(const Scene& scene) {
     for (int u = 0; u < depth.cols; ++u) {
       const auto p_C = pointAt(scene.camera, u, v, row[u]);
       if (!p_C) continue;
-      for (const double number : {p_C->z(), -p_C->x(), -p_C->y(), 0.0}) appendFloat(bytes, number);
+      const Eigen::Vector3d p = *p_C * (1.0 + kitti::kScanDepth / p_C->norm());
+      for (const double number : {p.z(), -p.x(), -p.y(), 0.0}) appendFloat(bytes, number);
     }
   }
   return bytes;
@@ -67,7 +70,11 @@ class KittiWriter : public LabelWriter {
     for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
       folders_.push_back(dataset.cameraFolder(i));
     }
-    splits_ = dataset.splitFolders();
+    // OpenPCDet and MMDetection3D open all of these, whatever is in them.
+    splits_ = {"train", "val", kTest};
+    for (const std::string& split : dataset.splitFolders()) {
+      if (std::count(splits_.begin(), splits_.end(), split) == 0) splits_.push_back(split);
+    }
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
@@ -110,7 +117,20 @@ class KittiWriter : public LabelWriter {
     for (std::size_t camera = 0; camera < folders_.size(); ++camera) {
       for (const std::string& split : splits_) addImageSet(records, output, camera, split);
       addImageSet(records, output, camera, kTrainVal);
+      addTesting(records, output, camera);
     }
+  }
+
+  /// OpenPCDet and MMDetection3D look for images of the list `test` in `testing`.
+  void addTesting(const SceneRecords& records, DatasetOutput& output, std::size_t camera) const {
+    records.forEach(imageSet(camera, kTest), [&](std::int64_t, const std::string& number) {
+      std::vector<std::string> files = {"image_2/" + number + ".png", "calib/" + number + ".txt",
+                                        "label_2/" + number + ".txt"};
+      if (options_.velodyne) files.push_back("velodyne/" + number + ".bin");
+      for (const std::string& file : files) {
+        output.addLink(folders_[camera] + "testing/" + file, folders_[camera] + "training/" + file);
+      }
+    });
   }
 
   /// The channel of the numbers of a list's images.
@@ -128,6 +148,7 @@ class KittiWriter : public LabelWriter {
   }
 
   static constexpr const char* kTrainVal = "trainval";
+  static constexpr const char* kTest = "test";
 
   KittiOptions options_;
   std::vector<std::string> folders_;  ///< of each camera

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <ostream>
+#include <set>
 #include <string>
 
 #include <pluginlib/class_list_macros.hpp>
@@ -32,9 +35,25 @@ class KittiTrackingWriter : public LabelWriter {
     if (options_.velodyne) {
       parameters.addError("velodyne", "found 'depth'; only synthetic_dataset/Kitti writes points");
     }
+    warnOfUnknownTypes(parameters);
     sequences_ = Sequences(dataset);
     cameras_ = dataset.cameras;
     splits_ = dataset.splitFolders();
+  }
+
+  /// TrackEval refuses labels of types that it does not know (trackeval/datasets/kitti_2d_box.py).
+  void warnOfUnknownTypes(WriterParameters& parameters) const {
+    static const std::set<std::string> kKnown = {"car",     "van",  "truck", "pedestrian", "person",
+                                                 "cyclist", "tram", "misc",  "dontcare"};
+    for (const auto& [name, type] : options_.types) {
+      std::string small = type;
+      std::transform(small.begin(), small.end(), small.begin(),
+                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      if (kKnown.count(small) != 0) continue;
+      parameters.addWarning("TrackEval does not know the type '" + type +
+                            "', and refuses such labels; `class_names: {\"" + name +
+                            "\": Car}` or Pedestrian, which it evaluates, writes another one");
+    }
   }
 
   [[nodiscard]] Requirements doRequirements() const override {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "plugins/nuscenes/nuscenes_options.h"
+#include "plugins/nuscenes/nuscenes_scenes.h"
 
 namespace synthetic_dataset::nuscenes {
 namespace {
@@ -219,8 +219,6 @@ class Maker {
     const auto motions = static_cast<std::int64_t>(motionCount());
     const std::vector<std::string> splits = dataset_.splitFolders();
     for (const auto& [sequence, extent] : extents) {
-      std::array<char, 32> name{};
-      std::snprintf(name.data(), name.size(), "scene-%04lld", static_cast<long long>(sequence + 1));
       const std::string& split = splits.at(static_cast<std::size_t>(sequence / motions));
       const std::string motion = motionName(static_cast<std::size_t>(sequence % motions));
       add({{"token", token(NuScenesTable::kScene, sequence)},
@@ -228,7 +226,7 @@ class Maker {
            {"nbr_samples", extent.count},
            {"first_sample_token", extent.first},
            {"last_sample_token", extent.last},
-           {"name", name.data()},
+           {"name", sceneName(dataset_, sequence)},
            {"description", motion.empty() ? split : split + ", " + motion}});
     }
   }

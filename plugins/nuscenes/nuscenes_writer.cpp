@@ -8,6 +8,7 @@
 
 #include "plugins/nuscenes/nuscenes_frames.h"
 #include "plugins/nuscenes/nuscenes_options.h"
+#include "plugins/nuscenes/nuscenes_scenes.h"
 #include "plugins/nuscenes/nuscenes_tables.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/pose_formats.h"
@@ -24,6 +25,7 @@ class NuScenesWriter : public LabelWriter {
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     dataset.refuseVaryingIntrinsics("calibrated_sensor.json");
     options_ = readNuScenesOptions(parameters);
+    if (const auto problem = nuscenes::sceneNameProblem(dataset)) parameters.addError("", *problem);
     dataset_ = dataset;
   }
 

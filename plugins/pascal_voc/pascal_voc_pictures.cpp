@@ -70,13 +70,18 @@ VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*
   return pictures;
 }
 
-void writeLabelMap(std::ostream& stream, const std::vector<std::string>& classes) {
+void writeLabelMap(std::ostream& stream, const std::vector<VocClass>& classes) {
   const std::vector<cv::Vec3b> colours = vocColourMap();
   stream << "# label:color_rgb:parts:actions\nbackground:0,0,0::\n";
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const cv::Vec3b& colour = colours.at(i + 1);
-    stream << plainName(classes[i]) << ':' << std::to_string(colour[2]) << ','
-           << std::to_string(colour[1]) << ',' << std::to_string(colour[0]) << "::\n";
+    std::string parts;
+    for (const std::string& part : classes[i].parts) {
+      parts += (parts.empty() ? "" : ",") + plainName(part);
+    }
+    stream << plainName(classes[i].name) << ':' << std::to_string(colour[2]) << ','
+           << std::to_string(colour[1]) << ',' << std::to_string(colour[0]) << ':' << parts
+           << ":\n";
   }
 }
 

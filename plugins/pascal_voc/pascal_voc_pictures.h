@@ -1,6 +1,8 @@
 #pragma once
 
 #include <ostream>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -30,8 +32,15 @@ struct VocPictures {
                                       const std::vector<ClassInfo>& classes,
                                       std::size_t world_classes, int border);
 
+/// A line of `labelmap.txt`.
+struct VocClass {
+  std::string name;
+  std::set<std::string> parts;  ///< that annotations of its objects may have
+};
+
 /// What the indices in `SegmentationClass` mean, as datumaro and CVAT read it: a line a class,
-/// `name:red,green,blue:parts:actions`.
-void writeLabelMap(std::ostream& stream, const std::vector<std::string>& classes);
+/// `name:red,green,blue:parts:actions`, with commas between parts. Datumaro refuses annotations
+/// with a part that no line has.
+void writeLabelMap(std::ostream& stream, const std::vector<VocClass>& classes);
 
 }  // namespace synthetic_dataset

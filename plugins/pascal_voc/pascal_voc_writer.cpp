@@ -8,6 +8,7 @@
 
 #include "plugins/pascal_voc/pascal_voc_options.h"
 #include "plugins/pascal_voc/pascal_voc_pictures.h"
+#include "plugins/shared/plain_file_name.h"
 #include "plugins/shared/seen_parts.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
@@ -177,10 +178,10 @@ class PascalVocWriter : public LabelWriter {
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     if (options_.segmentation) {
-      std::vector<std::string> names;
-      for (const ClassInfo& each : classes_) names.push_back(each.name);
-      names.insert(names.end(), world_classes_.begin(), world_classes_.end());
-      output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, names); });
+      std::vector<VocClass> classes;
+      for (const ClassInfo& each : classes_) classes.push_back({each.name, partsOf(each)});
+      for (const std::string& each : world_classes_) classes.push_back({each, {}});
+      output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, classes); });
     }
     std::map<std::string, std::set<std::string>> lists;  // by name: the splits in them
     for (const std::string& split : splits_) {
@@ -188,6 +189,16 @@ class PascalVocWriter : public LabelWriter {
       if (split == "train" || split == "val") lists["trainval"].insert(split);
     }
     for (const auto& [list, splits] : lists) addLists(records, list, splits, output);
+  }
+
+  /// The names of the parts of a class's objects, as annotations have them.
+  [[nodiscard]] std::set<std::string> partsOf(const ClassInfo& each) const {
+    std::set<std::string> parts;
+    for (const ObjectInfo& object : objects_) {
+      if (object.class_id != each.id) continue;
+      for (const std::string& part : object.part_names) parts.insert(vocName(part));
+    }
+    return parts;
   }
 
   /// `Main/<list>.txt` and `Segmentation/<list>.txt` with an image's name a line, and
@@ -213,7 +224,7 @@ class PascalVocWriter : public LabelWriter {
     if (options_.segmentation)
       output.addFile("ImageSets/Segmentation/" + list + ".txt", writeNames);
     for (const ClassInfo& each : classes_) {
-      const std::string file_name = safeFileName(each.name) + "_" + list + ".txt";
+      const std::string file_name = plainFileName(each.name) + "_" + list + ".txt";
       output.addFile("ImageSets/Main/" + file_name, [&](std::ostream& file) {
         forEachImage([&](const std::string& name, std::istream& classes) {
           std::string sign = "-1";

@@ -11,6 +11,7 @@
 
 #include "plugins/pvnet/pvnet_model.h"
 #include "plugins/shared/json.h"
+#include "plugins/shared/plain_file_name.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -212,7 +213,7 @@ class PvNetWriter : public LabelWriter {
 
   [[nodiscard]] Folder folderOf(std::size_t object, std::size_t camera) const {
     return {object, camera,
-            safeFileName(dataset_.objects.at(object).name) + "/" + dataset_.cameraFolder(camera)};
+            plainFileName(dataset_.objects.at(object).name) + "/" + dataset_.cameraFolder(camera)};
   }
 
   /// @param visit  gets each sample of a folder: its number from 0, the scene's name in the folder

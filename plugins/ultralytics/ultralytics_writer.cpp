@@ -54,12 +54,13 @@ std::string orientedBoxColumns(const Mask& mask, const CameraModel& camera) {
   return columns;
 }
 
-/// A mask as one polygon through its outermost pixels' centres: the loader cuts decimals off and
-/// fills the polygon with its rim (cv::fillPoly), so this gives the mask again. It also takes the
-/// box around the points for the object's, hence the polygon touches each side of that box on a
-/// line to the edge of one of its pixels and back.
+/// A mask as one polygon through its outermost pixels: loaders fill it with its rim (cv::fillPoly)
+/// once its points are whole numbers, so this gives the mask again. Ultralytics cuts decimals off,
+/// supervision rounds; a quarter of a pixel from its corner both come to the same pixel.
+/// Ultralytics also takes the box around the points for the object's, hence the polygon touches
+/// each side of that box on a line to the edge of one of its pixels and back.
 std::string ringColumns(const Mask& mask, const CameraModel& camera) {
-  constexpr double kToEdge = 0.5 - kOutlineMargin;
+  const Eigen::Vector2d kInside(0.25, 0.25);
   struct Side {
     Eigen::Vector2d outwards;
     double farthest = -std::numeric_limits<double>::infinity();
@@ -75,12 +76,14 @@ std::string ringColumns(const Mask& mask, const CameraModel& camera) {
   std::string columns;
   for (const cv::Point& pixel : ring) {
     const Eigen::Vector2d centre(pixel.x, pixel.y);
-    columns += fractions(centre + kToEdges, camera);
+    columns += fractions(centre + kInside, camera);
     for (Side& side : sides) {
       if (side.outwards.dot(centre) != side.farthest) continue;
       side.farthest = std::numeric_limits<double>::infinity();  // once is enough
-      columns += fractions(centre + kToEdge * side.outwards + kToEdges, camera);
-      columns += fractions(centre + kToEdges, camera);
+      const double to_edge =
+          side.outwards.sum() > 0.0 ? 0.75 - kOutlineMargin : 0.25 - kOutlineMargin;
+      columns += fractions(centre + kInside + to_edge * side.outwards, camera);
+      columns += fractions(centre + kInside, camera);
     }
   }
   return columns;

@@ -27,6 +27,8 @@ def root():
 
 def named_folder(parent, name):
     """The folder of an object's name, which is not itself where letters are not safe in paths."""
+    if (parent / name).is_dir():
+        return parent / name
     safe = re.sub(r'[^\w.-]', '_', name)
     return parent / name if safe == name else next(parent.glob(f'{safe}_*'))
 

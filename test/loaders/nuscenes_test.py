@@ -4,6 +4,7 @@ import unittest
 import numpy as np
 from nuscenes.nuscenes import NuScenes
 from nuscenes.utils.geometry_utils import BoxVisibility, view_points
+from nuscenes.utils.splits import create_splits_scenes
 
 from loader_case import LoaderCase, read_picture
 
@@ -50,6 +51,17 @@ class NuScenesTest(LoaderCase):
                     seen = view_points(box.corners(), intrinsic, normalize=True)[:2].T
                     self.assert_close(by_value(np.round(seen, 2)),
                                       by_value(np.round(scene.project(corners), 2)), 0.02)
+
+    def test_scenes_are_of_the_devkits_splits(self):
+        of_split = create_splits_scenes()
+        self.assertEqual({'train', 'val', 'test'} - set(of_split), set())
+        found = set()
+        for _, folder in self.datasets('nuscenes', NAMES):
+            for scene in NuScenes('v1.0-trainval', str(folder), verbose=False).scene:
+                split = scene['description'].split(',')[0]
+                self.assertIn(scene['name'], of_split[split])
+                found.add(split)
+        self.assertGreater(len(found), 1)
 
     def test_tracks_are_the_objects(self):
         for truth, folder in self.datasets('nuscenes', NAMES):

@@ -2,6 +2,7 @@
 import pathlib
 import unittest
 
+import cv2
 import numpy as np
 import supervision as sv
 
@@ -39,6 +40,24 @@ class SupervisionTest(LoaderCase):
                                                     str(folder / 'labels/train'),
                                                     str(folder / 'data.yaml'))
             self.assert_boxes(dataset, truth.scenes, 1e-3, lambda scene: scene.flat_name)
+
+    def test_ultralytics_masks(self):
+        """Those of one part, as parts are joined by lines, and of so many pixels that single ones do not count."""
+        found = 0
+        for truth, folder in self.datasets('ultralytics_segment', ('hard', 'many')):
+            dataset = sv.DetectionDataset.from_yolo(str(folder / 'images/train'), str(folder / 'labels/train'),
+                                                    str(folder / 'data.yaml'), force_masks=True)
+            masks = {pathlib.Path(path).stem: detections.mask for path, _, detections in dataset}
+            for scene in truth.scenes:
+                for each, mask in zip(scene.labelled, masks[scene.flat_name]):
+                    parts, _ = cv2.connectedComponents(each.visible.astype(np.uint8))
+                    if parts != 2 or np.count_nonzero(each.visible) < 300:
+                        continue
+                    both = np.count_nonzero(mask & each.visible)
+                    share = both / np.count_nonzero(mask | each.visible)
+                    self.assertGreaterEqual(share, 0.99, f'{scene.name} {each.name}')
+                    found += 1
+        self.assertGreater(found, 5)
 
     def test_ultralytics_by_the_name_that_fiftyone_looks_for(self):
         for truth, folder in self.datasets('ultralytics_detect', ('hard',)):

@@ -61,6 +61,16 @@ const Requirements& WriterHost::requirements() const { return impl_->requirement
 
 std::vector<std::string> WriterHost::typeNames() const { return impl_->loader.typeNames(); }
 
+std::vector<std::string> WriterHost::warnings() const {
+  std::vector<std::string> all;
+  for (const ReadyWriter& ready : impl_->writers) {
+    for (const std::string& warning : ready.parameters().warnings()) {
+      all.push_back("writer '" + ready.parameters().writerName() + "': " + warning);
+    }
+  }
+  return all;
+}
+
 std::vector<output::StoreWriter> WriterHost::storeWriters() const {
   std::vector<output::StoreWriter> writers;
   for (const ReadyWriter& ready : impl_->writers) {

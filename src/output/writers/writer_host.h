@@ -34,6 +34,9 @@ class WriterHost {
   /// The names of all types of writers that there are.
   [[nodiscard]] std::vector<std::string> typeNames() const;
 
+  /// What writers warn of before the first scene, with their names.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
   /// The writers as the store wants them, in the order of the choices.
   [[nodiscard]] std::vector<output::StoreWriter> storeWriters() const;
 

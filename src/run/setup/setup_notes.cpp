@@ -86,6 +86,7 @@ void noteWhatMaySurprise(RunSetup& setup) {
   noteSubtraction(setup);
   noteUnseen(setup);
   noteUnusedDepthNoise(setup);
+  for (const std::string& each : setup.writers->warnings()) setup.diagnostics.warning("", each);
 }
 
 void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,

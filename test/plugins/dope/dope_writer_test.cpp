@@ -64,6 +64,14 @@ TEST_F(Dope, PutsLabelsBesideTheImage) {
                                                  Pair("00000002.png", "<image>")));
 }
 
+TEST_F(Dope, WarnsOfImagesThatItsLoaderCannotCut) {
+  EXPECT_THAT(load({}).warnings(), testing::IsEmpty());
+  dataset_.cameras = {
+      {"front", "f", CameraModel(640, 360, {500.0, 500.0, 320.0, 180.0}, 0.05, 100.0)}};
+  EXPECT_THAT(load({}).warnings(), ElementsAre(testing::AllOf(HasSubstr("of 640 x 360 pixels"),
+                                                              HasSubstr("400 x 400"))));
+}
+
 TEST_F(Dope, ProjectsCornersInDopesOrderAndThenTheCentre) {
   load({});
   const json places = entryOf(rover()).at("projected_cuboid");

@@ -269,14 +269,69 @@ TEST_F(Kitti, WritesDepthAsAScannersPointsWhenAskedTo) {
   depth.at<float>(340, 520) = 5.0F;  // 200 px right of the axis and 100 px below it, f = 500 px
   near.depth = depth;
   const std::string path = "training/velodyne/000000.bin";
-  EXPECT_THAT(scanIn(filesOf(near).at(path)), ElementsAre(5.0F, -2.0F, -1.0F, 0.0F));
+  // A millimetre behind the surface, which is 5.477 m away.
+  EXPECT_THAT(scanIn(filesOf(near).at(path)),
+              testing::Pointwise(testing::FloatNear(1e-5F),
+                                 std::vector<float>{5.000913F, -2.000365F, -1.000183F, 0.0F}));
   near.camera = CameraModel(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0,
                             {DistortionModel::kPlumbBob, {-0.1}});
   const std::vector<float> bent = scanIn(filesOf(near).at(path));
   const auto pixel = near.camera.project({-bent.at(1), -bent.at(2), bent.at(0)});
-  EXPECT_EQ(bent[0], 5.0F);
+  EXPECT_NEAR(bent[0], 5.0009F, 1e-4);
   EXPECT_NEAR(pixel->x(), 520.0, 1e-3);
   EXPECT_NEAR(pixel->y(), 340.0, 1e-3);
+}
+
+/// OpenPCDet counts the points in each box.
+TEST_F(Kitti, HasTheScansPointsOnABoxsFacesInIt) {
+  load({{"velodyne", "depth"}});
+  const SceneObject rover = upright({0.3, 1.0, 10.0}, 0.3);
+  Scene near = scene(0, {rover});
+  cv::Mat depth(480, 640, CV_32FC1, cv::Scalar(0));
+  const Pose X_OC = rover.X_CO->inverse();
+  for (int v = 150; v < 330; ++v) {  // where rays enter the box
+    for (int u = 100; u < 540; ++u) {
+      const Eigen::Vector3d ray_C((u - 320.0) / 500.0, (v - 240.0) / 500.0, 1.0);
+      const Eigen::Vector3d from = X_OC.translation();
+      const Eigen::Vector3d along = X_OC.linear() * ray_C;
+      double enter = 0.0;
+      double leave = 1e9;
+      for (int i = 0; i < 3; ++i) {
+        const double a = (rover.cuboid_O.low[i] - from[i]) / along[i];
+        const double b = (rover.cuboid_O.high[i] - from[i]) / along[i];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+      }
+      if (enter + 0.01 < leave) depth.at<float>(v, u) = static_cast<float>(enter);
+    }
+  }
+  near.depth = depth;
+  const std::vector<float> points = scanIn(filesOf(near).at("training/velodyne/000000.bin"));
+  ASSERT_GT(points.size(), 4000U);
+  for (std::size_t i = 0; i < points.size(); i += 4) {
+    const Eigen::Vector3d p_O = X_OC * Eigen::Vector3d(-points[i + 1], -points[i + 2], points[i]);
+    EXPECT_TRUE((p_O.array() > rover.cuboid_O.low.array()).all() &&
+                (p_O.array() < rover.cuboid_O.high.array()).all())
+        << p_O.transpose();
+  }
+}
+
+/// OpenPCDet's and MMDetection3D's preparation open all lists, and look for `test` there.
+TEST_F(Kitti, HasTheImagesOfTestInTestingToo) {
+  dataset_.splits = {{"train", 1}, {"test", 1}};
+  load({{"velodyne", "depth"}});
+  std::vector<Scene> scenes = {scene(0, {upright({0.0, 1.0, 10.0}, 0.0)}),
+                               scene(1, {upright({0.0, 1.0, 10.0}, 0.0)})};
+  for (Scene& each : scenes) each.depth = cv::Mat(480, 640, CV_32FC1, cv::Scalar(3));
+  scenes[1].split = "test";
+  runAll(scenes);
+  for (const char* file :
+       {"image_2/000001.png", "calib/000001.txt", "label_2/000001.txt", "velodyne/000001.bin"}) {
+    EXPECT_EQ(contentOf(folder() + "testing/" + file), contentOf(folder() + "training/" + file));
+    EXPECT_THAT(contentOf(folder() + "testing/" + file), Not(IsEmpty())) << file;
+  }
+  EXPECT_EQ(contentOf(folder() + "testing/calib/000000.txt"), "");
+  EXPECT_TRUE(std::ifstream(folder() + "ImageSets/val.txt").good());
 }
 
 TEST_F(Kitti, GivesEachOfSeveralCamerasAFolder) {

@@ -83,6 +83,15 @@ TEST_F(KittiTracking, ListsTheSequencesOfEachSplit) {
             "scenes/00000002.png\n");
 }
 
+TEST_F(KittiTracking, WarnsOfTypesThatTrackEvalRefuses) {
+  dataset_.classes = {{0, "rover_class"}, {1, "Van"}};
+  EXPECT_THAT(load({}).warnings(), ElementsAre(testing::AllOf(
+                                       HasSubstr("TrackEval does not know the type 'rover_class'"),
+                                       HasSubstr("`class_names: {\"rover_class\": Car}`"))));
+  EXPECT_THAT(load({{"class_names", Value::Map{{"rover_class", "Car"}}}}).warnings(),
+              testing::IsEmpty());
+}
+
 TEST_F(KittiTracking, RefusesIntrinsicsThatVary) {
   dataset_.cameras[0].intrinsics_vary = true;
   EXPECT_ANY_THROW(load({}));

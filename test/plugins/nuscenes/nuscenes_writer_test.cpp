@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "plugins/nuscenes/nuscenes_scenes.h"
 #include "plugins/plugin_harness.h"
 
 namespace synthetic_dataset {
@@ -109,6 +110,35 @@ TEST_F(NuScenes, HasOneAnnotationOfWhatSeveralCamerasSee) {
   EXPECT_EQ(annotations[0]["next"], "") << "the other one is in another split";
   EXPECT_EQ(table("image_annotations").size(), 4U);
   EXPECT_EQ(table("sample_data")[1]["filename"], "samples/CAM_RIGHT/right_00000000.jpg");
+}
+
+/// nuscenes-devkit, python-sdk/nuscenes/utils/splits.py.
+TEST_F(NuScenes, CallsScenesByTheNamesThatTheDevkitListsForTheirSplit) {
+  dataset_.motions = {{"walk", 0, 2, 5.0}, {"run", 2, 2, 5.0}};
+  dataset_.splits = {{"train", {}}, {"val", {}}, {"spare", {}}, {"test", {}}};
+  const auto name = [&](std::int64_t sequence) { return nuscenes::sceneName(dataset_, sequence); };
+  EXPECT_EQ(name(0), "scene-0001");
+  EXPECT_EQ(name(1), "scene-0002");
+  EXPECT_EQ(name(2), "scene-0003");
+  EXPECT_EQ(name(3), "scene-0012");
+  EXPECT_EQ(name(4), "scene-0004") << "all but val and test may be trained on";
+  EXPECT_EQ(name(5), "scene-0005");
+  EXPECT_EQ(name(6), "scene-0077");
+  EXPECT_EQ(name(7), "scene-0078");
+  dataset_.motions.assign(150, {"walk", 0, 2, 5.0});
+  EXPECT_EQ(nuscenes::sceneNameProblem(dataset_), std::nullopt);
+  EXPECT_EQ(name(2 * 150 - 1), "scene-1073");
+  EXPECT_EQ(name(4 * 150 - 1), "scene-1043");
+}
+
+TEST_F(NuScenes, RefusesMoreScenesThanTheDevkitHasNamesFor) {
+  dataset_.motions.assign(151, {"walk", 0, 2, 5.0});
+  EXPECT_NO_THROW(load({}));
+  dataset_.splits = {{"train", {}}, {"val", {}}};
+  EXPECT_THAT(*nuscenes::sceneNameProblem(dataset_),
+              HasSubstr("found 151 nuScenes scenes for val"));
+  load({});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("found 151 nuScenes scenes for val")));
 }
 
 TEST_F(NuScenes, RefusesCamerasWhoseCalibrationChanges) {

@@ -267,6 +267,7 @@ TEST_F(PascalVoc, ShowsClassesOfTheWorldAfterThoseOfObjects) {
 TEST_F(PascalVoc, HasPartsInTheirObject) {
   ObjectInfo info;
   info.name = "a";
+  info.class_id = 3;
   info.part_names = {"fork", "mast"};
   dataset_.objects = {info};
   EXPECT_TRUE(load({}).requirements().part_map);
@@ -280,6 +281,18 @@ TEST_F(PascalVoc, HasPartsInTheirObject) {
                         "\t\t\t\t<xmin>26</xmin>\n\t\t\t\t<ymin>11</ymin>\n"
                         "\t\t\t\t<xmax>30</xmax>\n\t\t\t\t<ymax>30</ymax>\n\t\t\t</bndbox>\n"
                         "\t\t</part>\n\t</object>\n"));
+  // Datumaro refuses a part that the class has not.
+  runAll({one});
+  EXPECT_THAT(test::readFile(folder() + "labelmap.txt"),
+              HasSubstr("\nrobot:128,0,0:fork,mast:\nfork lift:0,128,0::\n"));
+}
+
+/// VOCdevkit's VOCevalcls opens `<class>_<list>.txt`.
+TEST_F(PascalVoc, NamesListsOfClassesByTheirClass) {
+  load({});
+  runAll({scene(0, {robot({10, 10, 20, 20})})});
+  EXPECT_EQ(test::readFile(folder() + "ImageSets/Main/fork lift_train.txt"), "00000000 -1\n");
+  EXPECT_EQ(test::readFile(folder() + "ImageSets/Main/robot_train.txt"), "00000000  1\n");
 }
 
 }  // namespace pascal_voc_writer_test

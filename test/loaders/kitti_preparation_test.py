@@ -1,0 +1,101 @@
+"""KITTI as MMDetection3D and OpenPCDet prepare it before training.
+
+MMDetection3D's preparation (tools/dataset_converters/kitti_data_utils.py) is in its wheel; scikit-image, by which it
+reads the pictures' sizes, is stood in for. OpenPCDet is not to be had from PyPI: what it opens is listed here
+(pcdet/datasets/kitti/kitti_dataset.py), and how it counts the points in a box (pcdet/utils/box_utils.py, in_hull).
+"""
+import importlib.metadata
+import importlib.util
+import pathlib
+import sys
+import types
+import unittest
+
+import cv2
+import numpy as np
+from scipy.spatial import Delaunay
+
+from kitti_test import corners_of, folder_of
+from loader_case import LoaderCase
+
+PATH = 'mmdet3d/.mim/tools/dataset_converters/kitti_data_utils.py'
+
+
+def preparation():
+    """MMDetection3D's module, without the rest of the package, which needs compiled operators."""
+    sys.modules.setdefault('skimage', types.ModuleType('skimage'))
+    sys.modules['skimage'].io = types.SimpleNamespace(imread=cv2.imread)
+    file = importlib.metadata.distribution('mmdet3d').locate_file(PATH)
+    spec = importlib.util.spec_from_file_location('kitti_data_utils', file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def listed(folder, name):
+    """The numbers in a list, which both open without asking whether it is there."""
+    return [int(line) for line in (folder / f'ImageSets/{name}.txt').read_text().split()]
+
+
+class KittiPreparationTest(LoaderCase):
+    def folders(self):
+        for truth, folder in self.datasets('kitti_scan'):
+            for camera in {scene.camera_name: scene for scene in truth.scenes}.values():
+                yield truth, folder_of(truth, folder, camera), camera.camera_name
+
+    def test_mmdetection3d_finds_all_files_of_all_lists(self):
+        utils = preparation()
+        tested = 0
+        for truth, folder, camera in self.folders():
+            for name in ('train', 'val', 'test'):
+                numbers = listed(folder, name)
+                of_test = name == 'test'
+                infos = utils.get_kitti_image_info(
+                    str(folder), training=not of_test, label_info=not of_test, velodyne=True,
+                    calib=True, with_plane=False, image_ids=numbers, num_worker=1)
+                self.assertEqual([info['image']['image_idx'] for info in infos], numbers)
+                expected = [scene.instant for scene in truth.of_split(name)
+                            if scene.camera_name == camera and scene.labelled]
+                self.assertEqual(numbers, expected)
+                tested += of_test and len(numbers)
+        self.assertGreater(tested, 0)
+
+    def test_openpcdet_finds_all_files_of_all_lists(self):
+        for _, folder, _ in self.folders():
+            for name in ('train', 'val', 'test'):
+                root = folder / ('testing' if name == 'test' else 'training')
+                for number in listed(folder, name):
+                    for file in (f'velodyne/{number:06}.bin', f'image_2/{number:06}.png',
+                                 f'calib/{number:06}.txt'):
+                        self.assertTrue((root / file).exists(), root / file)
+                    points = np.fromfile(root / f'velodyne/{number:06}.bin', np.float32)
+                    self.assertEqual(points.size % 4, 0)
+
+    def test_points_of_an_object_are_in_its_box(self):
+        """As OpenPCDet counts them, of objects that stand upright."""
+        utils = preparation()
+        count = 0
+        for truth, folder in self.datasets('kitti_scan'):
+            for scene in truth.scenes:
+                training = folder_of(truth, folder, scene) / 'training'
+                annotations = utils.get_label_anno(str(training / f'label_2/{scene.instant:06}.txt'))
+                points = np.fromfile(training / f'velodyne/{scene.instant:06}.bin', np.float32).reshape(-1, 4)
+                instances = scene.instances[scene.depth != 0]
+                self.assertEqual(len(points), len(instances))
+                for i, each in enumerate(scene.labelled):
+                    if each.X_CO[1, 2] > -1 + 1e-9:
+                        continue
+                    length, height, width = annotations['dimensions'][i]
+                    box = corners_of({'dimensions': [height, width, length],
+                                      'location': annotations['location'][i],
+                                      'rotation_y': annotations['rotation_y'][i]})
+                    own = points[instances == each.instance]
+                    in_camera = np.stack([-own[:, 1], -own[:, 2], own[:, 0]], 1)
+                    inside = Delaunay(box).find_simplex(in_camera) >= 0
+                    self.assertEqual(np.count_nonzero(inside), len(own), f'{scene.name} {each.name}')
+                    count += len(own)
+        self.assertGreater(count, 100)
+
+
+if __name__ == '__main__':
+    unittest.main()
