@@ -29,7 +29,7 @@
 #include "floor_picture.h"
 #include "floor_shaders.h"
 #include "render/gl/framebuffer.h"
-#include "render/gl/osmesa_context.h"
+#include "render/gl/offscreen_context.h"
 #include "render/gl/shader_program.h"
 #include "render/parts/mesh_library.h"
 #include "render/parts/texture_library.h"
@@ -198,7 +198,7 @@ class Floor {
     shadow_program_->set("clip_from_world", shadow_from_world);
   }
 
-  render::OsmesaContext context_;
+  render::OffscreenContext context_;
   const render::GlFunctions& gl_;
   render::MeshLibrary meshes_;
   render::TextureLibrary textures_;

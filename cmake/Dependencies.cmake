@@ -2,11 +2,17 @@
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED)
 pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
-pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
+
+# OpenGL on the processor: Mesa has had no OSMesa since 25.1, and EGL does without a display since 20.
+pkg_check_modules(OSMESA IMPORTED_TARGET osmesa)
+pkg_check_modules(EGL IMPORTED_TARGET egl)
+if(NOT OSMESA_FOUND AND NOT EGL_FOUND)
+  message(FATAL_ERROR "OSMesa or EGL is needed: apt-get install libosmesa6-dev, or libegl-dev where there is none")
+endif()
 
 # rosdep knows neither of these two, so it can be built without.
 option(SYNTHETIC_DATASET_QUICK_DEFLATE "Compress PNG files by ISA-L and libdeflate if they are there"

@@ -26,6 +26,7 @@ stages=(
   'preview    | ^src/programs/preview/|^launch/|^test/preview/ | test_preview.sh'
   'loaders    | ^plugins/|^include/|^src/api/|^python/|^test/loaders/ | test_loaders.sh'
   'page       | ^src/programs/setup_assistant/|^src/run/live/|^test/setup_assistant/ | test_setup_page.sh'
+  'egl        | ^src/render/gl/|^cmake/ | test_egl.sh'
   'twin       | ^src/(motion|scene|label)/|^test/twin/ | test_twin.sh'
   'faults     | ^src/(output|run)/|^test/faults/ | test_faults.sh --trials 10'
   'soak       | ^src/(output|run)/|^test/faults/ | soak.sh 20000'

@@ -36,6 +36,11 @@ if [ -d /opt/ros/noetic ]; then
   exit 0
 fi
 
+# Mesa has had no OSMesa since 25.1; EGL draws the same.
+gl=libosmesa6-dev
+[ -n "$(apt-cache show "$gl" 2>/dev/null)" ] || gl='libegl-dev libgl1-mesa-dri'
+
+# shellcheck disable=SC2086
 install_missing \
   build-essential cmake pkg-config catkin \
   libroscpp-dev libroslib-dev librosbag-storage-dev libtf2-dev libtf2-ros-dev libtf2-msgs-dev \
@@ -46,7 +51,7 @@ install_missing \
   python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-srvs python3-tf2-msgs \
   python3-visualization-msgs \
   python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg \
-  libopencv-dev libeigen3-dev libbullet-dev libosmesa6-dev libyaml-cpp-dev \
+  libopencv-dev libeigen3-dev libbullet-dev $gl libyaml-cpp-dev \
   libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev \
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev libssl-dev \
   nlohmann-json3-dev libmicrohttpd-dev libgtest-dev libgmock-dev "$@"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/osmesa_context.h"
+#include "render/gl/offscreen_context.h"
 #include "render/lens/lens_eye.h"
 #include "render/lens/lens_library.h"
 #include "render/lens/lens_resampling.h"
@@ -156,7 +156,7 @@ struct Renderer::Impl {
   std::vector<world::Light> lights;
   std::int64_t look_revision = 0;
 
-  OsmesaContext context;  // before all that lives in it
+  OffscreenContext context;  // before all that lives in it
   const GlFunctions& gl;
   DrawList draw_list;
   GeometryPainter geometry_painter;

@@ -98,7 +98,7 @@ GlFunctions::GlFunctions(void* (*load)(const char* name)) {
   fill(ProgramUniform4fv, "glProgramUniform4fv");
   fill(ProgramUniformMatrix4fv, "glProgramUniformMatrix4fv");
   if (!fill.missing().empty()) {
-    throw Error("OSMesa lacks OpenGL functions (" + fill.missing() + "); OpenGL 4.5 is needed");
+    throw Error("Mesa lacks OpenGL functions (" + fill.missing() + "); OpenGL 4.5 is needed");
   }
 }
 

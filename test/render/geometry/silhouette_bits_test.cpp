@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
-#include "render/gl/osmesa_context.h"
+#include "render/gl/offscreen_context.h"
 #include "render/picture_taking.h"
 #include "render/renderer.h"
 #include "support/box_world.h"
@@ -26,7 +26,7 @@ Pose at(double x, double y, double z) {
 
 /// The bits that the objects of a stage, of one link each, set.
 std::vector<int> bitsOf(const Stage& stage) {
-  const OsmesaContext context;
+  const OffscreenContext context;
   const DrawList draw_list(context.gl(), stage.links(), world::Simulator::kGz);
   const SilhouetteBits bits(draw_list, kView, stage.poses(), stage.all());
   std::vector<int> result;

@@ -1,23 +1,23 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 
 #include "render/gl/gl_functions.h"
+#include "render/gl/offscreen_platform.h"
 
 namespace synthetic_dataset::render {
 
 /// An offscreen OpenGL 4.5 core context, drawn by the processor: no GPU, no display.
 /// Made current in the thread that makes it, and used from that thread alone.
-class OsmesaContext {
+///
+/// It comes from OSMesa where the program was built with it, otherwise from EGL; the variable
+/// SYNTHETIC_DATASET_GL of the environment chooses (`osmesa`, `egl`).
+class OffscreenContext {
  public:
-  /// @throws Error when OSMesa gives no such context, when another libGL has taken its place, or
-  ///   when the system starts no threads for it
-  OsmesaContext();
-  ~OsmesaContext();
-  OsmesaContext(const OsmesaContext&) = delete;
-  OsmesaContext& operator=(const OsmesaContext&) = delete;
+  /// @throws Error when there is no such context, when another libGL has taken OSMesa's place, when
+  ///   the system starts no threads for it, or when what is chosen is not built in
+  OffscreenContext();
 
   [[nodiscard]] const GlFunctions& gl() const { return *gl_; }
 
@@ -25,15 +25,10 @@ class OsmesaContext {
   [[nodiscard]] std::string version() const;
 
  private:
-  struct Destroy {
-    void operator()(void* context) const;
-  };
-
+  void requireProcessor() const;
   void requireThreads();
 
-  /// OSMesa wants a picture of its own to be current with; everything is drawn elsewhere.
-  std::array<unsigned char, 4> unused_picture_{};
-  std::unique_ptr<void, Destroy> context_;
+  std::unique_ptr<OffscreenPlatform> platform_;
   std::unique_ptr<GlFunctions> gl_;
 };
 

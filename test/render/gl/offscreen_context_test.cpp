@@ -1,4 +1,4 @@
-#include "render/gl/osmesa_context.h"
+#include "render/gl/offscreen_context.h"
 
 #include <pthread.h>
 
@@ -10,7 +10,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::render {
-namespace osmesa_context_test {
+namespace offscreen_context_test {
 
 /// From now on no thread finds room for its stack.
 void runOutOfThreads() {
@@ -23,7 +23,7 @@ void runOutOfThreads() {
 [[noreturn]] void makeContextWithoutThreads() {
   runOutOfThreads();
   try {
-    const OsmesaContext context;
+    const OffscreenContext context;
   } catch (const Error& error) {
     std::cerr << error.what() << '\n';
     std::exit(3);
@@ -31,12 +31,12 @@ void runOutOfThreads() {
   std::exit(0);
 }
 
-TEST(OsmesaContextDeathTest, TellsThatThereAreNoThreadsRatherThanWaitForThem) {
+TEST(OffscreenContextDeathTest, TellsThatThereAreNoThreadsRatherThanWaitForThem) {
   testing::FLAGS_gtest_death_test_style =
       "threadsafe";  // in a process that has had no other context
   EXPECT_EXIT(makeContextWithoutThreads(), testing::ExitedWithCode(3),
               "starts no more threads .*: Resource temporarily unavailable; .*ulimit -u");
 }
 
-}  // namespace osmesa_context_test
+}  // namespace offscreen_context_test
 }  // namespace synthetic_dataset::render
