@@ -1,4 +1,4 @@
-// Writes the fuzzers' seeds that are no text: make_seeds FOLDER.
+// Writes the fuzzers' seeds that are no text, or that repeat themselves: make_seeds FOLDER.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -108,6 +108,38 @@ void writeManifest(const fs::path& file) {
       INSERT INTO warning VALUES (0, 0, 1, 'kind', 'detail');)");
 }
 
+std::string repeated(const std::string& part, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += part;
+  return text;
+}
+
+void writeText(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+/// What nests deeper than any stack, and what takes time that grows with its square.
+void writeRepetitions(const fs::path& folder) {
+  const std::string brackets = repeated("[", 9000) + repeated("]", 9000);
+  writeText(folder / "config/nested", "a: " + brackets);
+  writeText(folder / "config/nested_dashes", repeated("- ", 9000) + "x");
+  writeText(folder / "camera_info/nested", "camera_matrix: " + brackets);
+  writeText(folder / "sdf/nested", repeated("<model>", 1200) + repeated("</model>", 1200));
+  writeText(folder / "urdf/nested", repeated("<link>", 1200) + repeated("</link>", 1200));
+  std::string attributes;
+  std::string names;
+  for (int i = 0; i < 1800; ++i) {
+    attributes += " a" + std::to_string(i) + "=\"1\"";
+    names += "n" + std::to_string(i) + ": 1\n";
+  }
+  writeText(folder / "sdf/attributes", "<sdf version=\"1.6\"><model" + attributes + "/></sdf>");
+  writeText(folder / "config/names", names);
+  for (const char format : {'A', 'B', 'D', 'E', 'F'}) {  // those that read JSON are among them
+    writeText(folder / "readback" / (std::string("nested_") + format), format + brackets);
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -127,5 +159,6 @@ int main(int count, char** arguments) {
   writeMessage(folder / "message/map", map());
   writePictures(folder / "picture");
   writeManifest(folder / "manifest/manifest.sqlite");
+  writeRepetitions(folder);
   return 0;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes each reader of files for a while with clang's libFuzzer, AddressSanitizer and
 # UndefinedBehaviorSanitizer; exit code 0 only if nothing crashes, hangs or takes too much memory.
-#   ./scripts/fuzz.sh [SECONDS_EACH [TARGET...]]     60 seconds and all targets of fuzz/ by default
+#   [FUZZ_SEED=N] ./scripts/fuzz.sh [SECONDS_EACH [TARGET...]]     60 seconds and all targets of fuzz/ by default
 # Everything lies beside the workspace (scripts/workspace.sh), outside the sources: the build, the
 # inputs that were found to be of interest (they are where the next call begins) and, in `crashes`,
 # the inputs that broke something; the table at the end says how to run one again.
@@ -42,7 +42,7 @@ fuzz() {  # TARGET
     [ ! -d "$inputs_of" ] || inputs+=("$inputs_of")
   done
   # A fuzzer that is out of memory does not always end by itself.
-  timeout --kill-after=10 $((seconds + 120)) "$programs/$1_fuzz" -seed=1 -max_total_time="$seconds" \
+  timeout --kill-after=10 $((seconds + 120)) "$programs/$1_fuzz" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" \
     -timeout=25 -report_slow_units=25 -rss_limit_mb=2048 -malloc_limit_mb=2048 \
     -max_len=20000 -print_final_stats=1 -verbosity=1 \
     -artifact_prefix="$folder/crashes/$1-" "$found" "${inputs[@]}" \

@@ -13,7 +13,7 @@ NANOSECONDS = 10 ** 9
 CHUNK = 2048  # [bytes]: small, so that a short recording has many
 
 # Things lie in each other's way: `alpha` pushes the ball and topples the post, so a scene's
-# picture hangs on all times before it.
+# picture hangs on all times before it; nothing holds `stray`, of whose fall scenes warn.
 WORLD = '''<sdf version="1.6"><world name="tiny">
 <light name="sun" type="directional"><cast_shadows>true</cast_shadows>
   <direction>0.3 0.4 -1</direction><diffuse>0.8 0.8 0.8 1</diffuse></light>
@@ -33,6 +33,12 @@ WORLD = '''<sdf version="1.6"><world name="tiny">
   <collision name="box"><geometry><box><size>0.1 0.1 0.6</size></box></geometry></collision>
   <visual name="box"><geometry><box><size>0.1 0.1 0.6</size></box></geometry>
     <material><diffuse>0.2 0.7 0.2 1</diffuse></material></visual></link></model>
+<model name="stray"><pose>30 30 0.5 0 0 0</pose><link name="body">
+  <inertial><mass>0.2</mass>
+    <inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz></inertia></inertial>
+  <visual name="skin"><geometry><sphere><radius>0.1</radius></sphere></geometry></visual>
+  <collision name="skin"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>
+</link></model>
 %s</world></sdf>
 '''
 

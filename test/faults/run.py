@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes faults happen to the program `generate`, and looks for what they cost.
 
-    run.py PROGRAMS [--trials PERCENT] [--write-table FILE] [FAMILY...]
+    run.py PROGRAMS [--trials PERCENT] [--seed SEED] [--write-table FILE] [FAMILY...]
 
 PROGRAMS is the folder with the package's programs. Without families, all.
 """
@@ -24,7 +24,8 @@ from typing import List, NamedTuple, Optional
 import trial
 
 FAMILIES = ('kills', 'exact_places', 'shards', 'stop_signals', 'full_disk', 'folders', 'limits',
-            'surroundings', 'changes', 'power_cut', 'two_runs', 'manifests', 'clock', 'recordings')
+            'surroundings', 'changes', 'power_cut', 'two_runs', 'manifests', 'clock', 'recordings',
+            'parts', 'hostile')
 
 LONGEST_LINE = 400
 MEMORY = '/dev/shm'
@@ -127,6 +128,7 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('programs', type=pathlib.Path)
     parser.add_argument('--trials', type=int, default=100, help='per cent of the usual number')
+    parser.add_argument('--seed', default='', help='other moments and inputs')
     parser.add_argument('--write-table', type=pathlib.Path)
     parser.add_argument('families', nargs='*', metavar='FAMILY', help=', '.join(FAMILIES))
     return parser.parse_intermixed_args()
@@ -139,6 +141,7 @@ def in_memory() -> Optional[str]:
 
 def main() -> int:
     options = arguments()
+    trial.use_seed(options.seed)
     # Who runs this in the background may ignore them, and programs inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     for number in (signal.SIGTERM, signal.SIGHUP):

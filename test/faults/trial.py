@@ -177,9 +177,17 @@ class Place:
             require(word in finished.log, f'does not say "{word}":\n{finished.log}')
 
 
+_seed: List[str] = []
+
+
+def use_seed(seed: str) -> None:
+    """Has all trials draw other numbers; an empty one changes nothing."""
+    _seed[:] = [seed] if seed else []
+
+
 def random_of(*names: Any) -> random.Random:
-    """The same numbers for the same trial each time."""
-    return random.Random('/'.join(map(str, names)))
+    """The same numbers for the same trial and seed each time."""
+    return random.Random('/'.join(map(str, [*_seed, *names])))
 
 
 def wait_for(condition: Callable[[], bool], process: 'subprocess.Popen[str]') -> None:
