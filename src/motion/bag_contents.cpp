@@ -63,10 +63,9 @@ void readPoses(BagReader& bags, SeenFrames& seen, TransformRecording& recording,
       continue;
     }
     std::vector<RecordedTransform> transforms;
-    const TopicReaders readers{
-        {topic.name, {TransformKind::kMoving, [&](const rosbag::MessageInstance& each) {
-                        return message->read(each, "");
-                      }}}};
+    const TopicReaders readers{{topic.name, {TransformKind::kMoving, [&](const BagMessage& each) {
+                                               return message->read(each, "");
+                                             }}}};
     bags.read(readers, [&](RecordedTransform each) { transforms.push_back(std::move(each)); });
     const bool is_known =
         std::any_of(transforms.begin(), transforms.end(), [&](const RecordedTransform& each) {
@@ -259,8 +258,8 @@ std::optional<RecordedDescription> readDescription(const std::vector<std::string
   auto search = TopicSearch::of<std_msgs::String>(topic);
   std::optional<RecordedDescription> found;
   for (const std::string& file : bag_files) {
-    search.in(file, [&](rosbag::View& messages) {
-      for (auto message = messages.begin(); message != messages.end() && !found; ++message) {
+    search.in(file, [&](BagMessages& messages) {
+      for (auto message = messages.next(); message && !found; message = messages.next()) {
         const auto text = message->instantiate<std_msgs::String>();
         const std::string robot = text ? robotOf(text->data) : "";
         if (!robot.empty()) found = {topic, robot, text->data};

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
-
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 
 #include "motion/bag/ros_time.h"
 #include "synthetic_dataset/errors.h"
@@ -17,7 +15,7 @@ namespace {
 /// Where a message is: the `rank`-th of its topic that was recorded then.
 struct IndexedPlace {
   std::size_t bag = 0;
-  ros::Time recorded;
+  Stamp recorded{0};
   std::size_t rank = 0;
 };
 
@@ -36,7 +34,7 @@ void checkOrder(std::vector<FoundMessage>& found, const std::string& noun) {
   Stamp latest{0};
   for (const FoundMessage& each : found) {
     if (each.stamp == Stamp{0}) {
-      throw Error("its " + noun + " recorded at " + secondsText(toStamp(each.place.recorded)) +
+      throw Error("its " + noun + " recorded at " + secondsText(each.place.recorded) +
                   " has no stamp in its header; without stamps nobody knows when it was taken");
     }
     if (each.stamp + kLate < latest) {
@@ -53,16 +51,16 @@ void checkOrder(std::vector<FoundMessage>& found, const std::string& noun) {
 
 struct MessageIndex::Impl {
   /// @param messages  of one bag
-  void take(std::size_t bag, rosbag::View& messages, const Look& look,
+  void take(std::size_t bag, BagMessages& messages, const Look& look,
             std::vector<FoundMessage>& found) {
-    ros::Time last;
+    std::optional<Stamp> last;
     std::size_t rank = 0;
-    for (const rosbag::MessageInstance& message : messages) {
-      names[bag].insert(message.getTopic());
-      rank = message.getTime() == last ? rank + 1 : 0;
-      last = message.getTime();
+    while (const auto message = messages.next()) {
+      names[bag].insert(message->topic);
+      rank = message->recorded == last ? rank + 1 : 0;
+      last = message->recorded;
       const std::size_t index = found.size();
-      found.push_back({look(message), index, {bag, last, rank}});
+      found.push_back({look(*message), index, {bag, message->recorded, rank}});
     }
   }
 
@@ -82,17 +80,17 @@ struct MessageIndex::Impl {
   }
 
   /// @return whether it is there
-  bool show(const IndexedPlace& place,
-            const std::function<void(const rosbag::MessageInstance& message)>& see) {
+  bool show(const IndexedPlace& place, const std::function<void(const BagMessage& message)>& see) {
     const std::lock_guard<std::mutex> lock(mutex);
     auto& bag = bags[place.bag];
-    if (!bag) bag = std::make_unique<rosbag::Bag>(files[place.bag]);
-    const std::vector<std::string> topics(names.at(place.bag).begin(), names.at(place.bag).end());
-    rosbag::View messages(*bag, rosbag::TopicQuery(topics), place.recorded, place.recorded);
+    if (!bag) bag = openBag(files[place.bag]);
+    const std::set<std::string>& topics = names.at(place.bag);
+    const auto messages = bag->messages(
+        [&](const std::string& each) { return topics.count(each) != 0; }, place.recorded);
     std::size_t rank = 0;
-    for (const rosbag::MessageInstance& message : messages) {
+    while (const auto message = messages->next()) {
       if (rank++ != place.rank) continue;
-      see(message);
+      see(*message);
       return true;
     }
     return false;
@@ -105,7 +103,7 @@ struct MessageIndex::Impl {
   std::vector<IndexedPlace> places;  ///< of order
   std::int64_t repeated = 0;
   std::mutex mutex;
-  std::map<std::size_t, std::unique_ptr<rosbag::Bag>> bags;  ///< those that were opened
+  std::map<std::size_t, std::unique_ptr<Bag>> bags;  ///< those that were opened
 };
 
 MessageIndex::MessageIndex(const std::vector<std::string>& bag_files, const std::string& topic,
@@ -116,7 +114,7 @@ MessageIndex::MessageIndex(const std::vector<std::string>& bag_files, const std:
   std::vector<FoundMessage> found;
   for (std::size_t bag = 0; bag < bag_files.size(); ++bag) {
     search.in(bag_files[bag],
-              [&](rosbag::View& messages) { impl_->take(bag, messages, look, found); });
+              [&](BagMessages& messages) { impl_->take(bag, messages, look, found); });
   }
   if (found.empty()) throw search.notFound();
   try {
@@ -134,9 +132,8 @@ std::int64_t MessageIndex::repeatedCount() const { return impl_->repeated; }
 
 const std::vector<std::size_t>& MessageIndex::order() const { return impl_->order; }
 
-void MessageIndex::read(
-    std::size_t index,
-    const std::function<void(const rosbag::MessageInstance& message)>& see) const {
+void MessageIndex::read(std::size_t index,
+                        const std::function<void(const BagMessage& message)>& see) const {
   const IndexedPlace& place = impl_->places.at(index);
   const std::string bag = "bag " + impl_->files[place.bag] + ": ";
   bool is_there = false;
@@ -147,7 +144,7 @@ void MessageIndex::read(
   }
   if (is_there) return;
   throw Error(bag + "the message of '" + impl_->topic + "' recorded at " +
-              secondsText(toStamp(place.recorded)) + " is not there any more");
+              secondsText(place.recorded) + " is not there any more");
 }
 
 }  // namespace synthetic_dataset::motion

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <rosbag/message_instance.h>
-
+#include "motion/bag/bag.h"
 #include "motion/bag/topic_search.h"
 #include "synthetic_dataset/pose.h"
 
@@ -20,7 +19,7 @@ namespace synthetic_dataset::motion {
 class MessageIndex {
  public:
   /// Looks at a message, and says which stamp it has.
-  using Look = std::function<Stamp(const rosbag::MessageInstance& message)>;
+  using Look = std::function<Stamp(const BagMessage& message)>;
 
   /// Looks at all messages of the topic, in the order in which they were recorded.
   /// @param bag_files  bags that can be read
@@ -47,8 +46,7 @@ class MessageIndex {
 
   /// Shows a message again, in any thread.
   /// @throws Error naming the bag that cannot be read any more
-  void read(std::size_t index,
-            const std::function<void(const rosbag::MessageInstance& message)>& see) const;
+  void read(std::size_t index, const std::function<void(const BagMessage& message)>& see) const;
 
  private:
   /// Which of the messages that were looked at is here.

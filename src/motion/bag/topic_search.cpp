@@ -4,10 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <rosbag/bag.h>
-
-#include "motion/bag/bag_check.h"
-#include "motion/bag/ros2_bag.h"
 #include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::motion {
@@ -23,37 +19,29 @@ TopicSearch::TopicSearch(std::string topic, Types types)
     : topic_(std::move(topic)), types_(std::move(types)) {}
 
 void TopicSearch::in(const std::string& file,
-                     const std::function<void(rosbag::View& messages)>& see) {
+                     const std::function<void(BagMessages& messages)>& see) {
   has_bag_ = true;
-  if (isRos2Bag(file)) throw Error("bag " + file + ": " + convertAdvice(file));
-  try {
-    show(file, see);
-  } catch (const std::exception& error) {
-    throw Error("bag " + file + ": " + error.what());
-  }
-}
-
-void TopicSearch::show(const std::string& file,
-                       const std::function<void(rosbag::View& messages)>& see) {
+  const auto bag = openBag(file);
   const std::string name = withoutSlash(topic_);
-  static_cast<void>(
-      checkBag(file, [&](const std::string& other) { return withoutSlash(other) == name; }));
-  rosbag::Bag bag(file);
-  rosbag::View all(bag);
-  std::vector<std::string> names;
-  for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
-    const bool right_type = types_.count(connection->md5sum) != 0;
-    if (right_type) topics_.insert(connection->topic);
-    if (withoutSlash(connection->topic) != name) continue;
+  std::set<std::string> names;
+  for (const BagTopic& topic : bag->topics()) {
+    const bool right_type = types_.count(topic.md5sum) != 0;
+    if (right_type) topics_.insert(topic.name);
+    if (withoutSlash(topic.name) != name) continue;
     if (right_type) {
-      names.push_back(connection->topic);
+      names.insert(topic.name);
     } else {
-      other_type_ = connection->datatype;
+      other_type_ = topic.type + (topic.problem.empty() ? "" : " (" + topic.problem + ")");
     }
   }
   if (names.empty()) return;
-  rosbag::View messages(bag, rosbag::TopicQuery(names));
-  see(messages);
+  const auto messages =
+      bag->messages([&](const std::string& each) { return names.count(each) != 0; });
+  try {
+    see(*messages);
+  } catch (const std::exception& error) {
+    throw Error("bag " + file + ": " + error.what());
+  }
 }
 
 Error TopicSearch::notFound() const {

@@ -5,8 +5,7 @@
 #include <set>
 #include <string>
 
-#include <rosbag/view.h>
-
+#include "motion/bag/bag.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
@@ -26,7 +25,7 @@ class TopicSearch {
   /// Shows a bag's messages of the topic, in the order of their times; nothing when it has none.
   /// @param see  what it throws is an Error that names the bag
   /// @throws Error naming the bag when it cannot be read
-  void in(const std::string& file, const std::function<void(rosbag::View& messages)>& see);
+  void in(const std::string& file, const std::function<void(BagMessages& messages)>& see);
 
   /// What to say when none of the bags had it: with the topics of the type that there are.
   [[nodiscard]] Error notFound() const;
@@ -35,8 +34,6 @@ class TopicSearch {
   using Types = std::map<std::string, std::string>;  ///< names by their checksums
 
   TopicSearch(std::string topic, Types types);
-
-  void show(const std::string& file, const std::function<void(rosbag::View& messages)>& see);
 
   std::string topic_;
   Types types_;

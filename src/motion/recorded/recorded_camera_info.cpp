@@ -91,10 +91,10 @@ RecordedCameraInfo readCameraInfo(const std::vector<std::string>& bag_files,
   auto search = TopicSearch::of<sensor_msgs::CameraInfo>(topic);
   Calibrations calibrations;
   for (const std::string& file : bag_files) {
-    search.in(file, [&](rosbag::View& messages) {
-      for (const rosbag::MessageInstance& message : messages) {
-        const auto info = message.instantiate<RecordedCalibration>();
-        if (info) calibrations.add(info->message, toStamp(message.getTime()));
+    search.in(file, [&](BagMessages& messages) {
+      while (const auto message = messages.next()) {
+        const auto info = message->instantiate<RecordedCalibration>();
+        if (info) calibrations.add(info->message, message->recorded);
       }
     });
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "motion/bag/checked_messages.h"
 #include "motion/bag/topic_search.h"
@@ -13,19 +14,19 @@ namespace synthetic_dataset::motion {
 namespace {
 
 struct LastGrid {
-  ros::Time recorded;
+  Stamp recorded{0};
   nav_msgs::OccupancyGrid message;
 };
 
 /// Takes the bag's last message of the search's topic for the one before, unless that is younger.
 void takeLast(const std::string& file, TopicSearch& search, std::optional<LastGrid>& last) {
-  search.in(file, [&](rosbag::View& messages) {
+  search.in(file, [&](BagMessages& messages) {
     // Maps are large: only the one that is wanted is read.
-    std::optional<rosbag::MessageInstance> last_here;
-    for (const rosbag::MessageInstance& message : messages) last_here.emplace(message);
-    if (!last_here || (last && last_here->getTime() < last->recorded)) return;
+    std::optional<BagMessage> last_here;
+    while (auto message = messages.next()) last_here = std::move(message);
+    if (!last_here || (last && last_here->recorded < last->recorded)) return;
     const auto grid = last_here->instantiate<RecordedGrid>();
-    if (grid) last = {last_here->getTime(), grid->message};
+    if (grid) last = {last_here->recorded, grid->message};
   });
 }
 

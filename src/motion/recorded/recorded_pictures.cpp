@@ -3,8 +3,6 @@
 #include <optional>
 #include <utility>
 
-#include <rosbag/message_instance.h>
-
 #include "base/image/picture_decoder.h"
 #include "motion/bag/checked_messages.h"
 #include "motion/bag/message_index.h"
@@ -27,7 +25,7 @@ base::PictureSize sizeOf(const PictureFile& file, const std::string& topic) {
 
 }  // namespace
 
-FramedPicture framedPicture(const rosbag::MessageInstance& message) {
+FramedPicture framedPicture(const BagMessage& message) {
   if (const auto raw = message.instantiate<RecordedImage>()) {
     sensor_msgs::Image& image = raw->message;
     return {toStamp(image.header.stamp), withoutLeadingSlashes(image.header.frame_id),
@@ -35,7 +33,7 @@ FramedPicture framedPicture(const rosbag::MessageInstance& message) {
                              image.step, std::move(image.data)}};
   }
   const auto file = message.instantiate<RecordedImageFile>();
-  if (!file) throw Error("a message of '" + message.getTopic() + "' is no picture");
+  if (!file) throw Error("a message of '" + message.topic + "' is no picture");
   return {toStamp(file->message.header.stamp), withoutLeadingSlashes(file->message.header.frame_id),
           PictureFile{file->message.format, std::move(file->message.data)}};
 }
@@ -76,7 +74,7 @@ RecordedPictures::RecordedPictures(const std::vector<std::string>& bag_files,
   impl_->messages.emplace(
       bag_files, topic, "picture",
       TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
-      [&](const rosbag::MessageInstance& message) {
+      [&](const BagMessage& message) {
         const FramedPicture picture = framedPicture(message);
         looked_at.push_back(headOf(picture, base::pictureProblem,
                                    [&](const PictureFile& file) { return sizeOf(file, topic); }));
@@ -97,9 +95,8 @@ std::int64_t RecordedPictures::repeatedCount() const { return impl_->messages->r
 
 RecordedPicture RecordedPictures::read(std::size_t index) const {
   RecordedPicture picture;
-  impl_->messages->read(index, [&](const rosbag::MessageInstance& message) {
-    picture = framedPicture(message).picture;
-  });
+  impl_->messages->read(
+      index, [&](const BagMessage& message) { picture = framedPicture(message).picture; });
   return picture;
 }
 

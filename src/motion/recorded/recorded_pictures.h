@@ -9,10 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include <rosbag/message_instance.h>
-
 #include "base/image/picture_size.h"
 #include "base/image/raw_picture.h"
+#include "motion/bag/bag.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {
@@ -76,7 +75,7 @@ struct FramedPicture {
 
 /// Reads a sensor_msgs/Image or a sensor_msgs/CompressedImage.
 /// @throws Error for any other message
-[[nodiscard]] FramedPicture framedPicture(const rosbag::MessageInstance& message);
+[[nodiscard]] FramedPicture framedPicture(const BagMessage& message);
 
 /// What is known of a picture without decoding it.
 /// @param problem_of  why a raw picture cannot be read, if so

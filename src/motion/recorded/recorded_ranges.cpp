@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <rosbag/message_instance.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include "base/image/depth_picture.h"
@@ -104,9 +103,9 @@ std::vector<Eigen::Vector3d> pointsOf(const PointCloud2& cloud) {
   return points;
 }
 
-CloudHead cloudHeadOf(const rosbag::MessageInstance& message) {
+CloudHead cloudHeadOf(const BagMessage& message) {
   const auto recorded = message.instantiate<RecordedCloud>();
-  if (!recorded) throw Error("a message of '" + message.getTopic() + "' is no cloud");
+  if (!recorded) throw Error("a message of '" + message.topic + "' is no cloud");
   const PointCloud2& cloud = recorded->message;
   CloudHead head{toStamp(cloud.header.stamp), withoutLeadingSlashes(cloud.header.frame_id)};
   try {
@@ -130,7 +129,7 @@ RecordedDepths::RecordedDepths(const std::vector<std::string>& bag_files, const 
   impl_->messages.emplace(
       bag_files, topic, "depth image",
       TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
-      [&](const rosbag::MessageInstance& message) {
+      [&](const BagMessage& message) {
         looked_at.push_back(
             headOf(framedPicture(message), base::depthProblem, [](const PictureFile& file) {
               return base::checkCompressedDepth(file.bytes, file.format);
@@ -148,7 +147,7 @@ const std::vector<PictureHead>& RecordedDepths::heads() const { return impl_->he
 
 cv::Mat RecordedDepths::read(std::size_t index) const {
   cv::Mat depth;
-  impl_->messages->read(index, [&](const rosbag::MessageInstance& message) {
+  impl_->messages->read(index, [&](const BagMessage& message) {
     const RecordedPicture picture = framedPicture(message).picture;
     const auto* file = std::get_if<PictureFile>(&picture);
     depth = file != nullptr ? base::depthOfCompressed(file->bytes, file->format)
@@ -166,7 +165,7 @@ RecordedClouds::RecordedClouds(const std::vector<std::string>& bag_files, const 
     : impl_(std::make_unique<Impl>()) {
   std::vector<CloudHead> looked_at;
   impl_->messages.emplace(bag_files, topic, "cloud", TopicSearch::of<PointCloud2>(topic),
-                          [&](const rosbag::MessageInstance& message) {
+                          [&](const BagMessage& message) {
                             looked_at.push_back(cloudHeadOf(message));
                             return looked_at.back().stamp;
                           });
@@ -181,7 +180,7 @@ const std::vector<CloudHead>& RecordedClouds::heads() const { return impl_->head
 
 std::vector<Eigen::Vector3d> RecordedClouds::read(std::size_t index) const {
   std::vector<Eigen::Vector3d> points;
-  impl_->messages->read(index, [&](const rosbag::MessageInstance& message) {
+  impl_->messages->read(index, [&](const BagMessage& message) {
     const auto cloud = message.instantiate<RecordedCloud>();
     if (cloud) points = pointsOf(cloud->message);
   });

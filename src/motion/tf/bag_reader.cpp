@@ -1,6 +1,7 @@
 #include "motion/tf/bag_reader.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "motion/tf/tf_topics.h"
@@ -12,9 +13,12 @@ namespace {
 /// The bag whose next message was recorded first (of equal times the bag named first), if any.
 BagFile* nextOf(const std::vector<BagFile*>& bags) {
   BagFile* next = nullptr;
+  std::optional<Stamp> earliest;
   for (BagFile* bag : bags) {
-    if (!bag->hasMessage()) continue;
-    if (next == nullptr || bag->messageTime() < next->messageTime()) next = bag;
+    const auto time = bag->messageTime();
+    if (!time || (earliest && *time >= *earliest)) continue;
+    next = bag;
+    earliest = time;
   }
   return next;
 }

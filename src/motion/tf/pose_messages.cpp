@@ -12,7 +12,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-using Message = rosbag::MessageInstance;
+using Message = BagMessage;
 using Transform = geometry_msgs::TransformStamped;
 using Transforms = std::vector<Transform>;
 

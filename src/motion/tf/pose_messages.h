@@ -5,7 +5,8 @@
 #include <vector>
 
 #include <geometry_msgs/TransformStamped.h>
-#include <rosbag/message_instance.h>
+
+#include "motion/bag/bag.h"
 
 namespace synthetic_dataset::motion {
 
@@ -17,7 +18,7 @@ struct PoseMessage {
   bool moves_one_frame = true;  ///< which a setting may name instead
 
   /// @param frame  the name of the frame that it moves; empty: the message's own
-  std::function<std::vector<geometry_msgs::TransformStamped>(const rosbag::MessageInstance& message,
+  std::function<std::vector<geometry_msgs::TransformStamped>(const BagMessage& message,
                                                              const std::string& frame)>
       read;
 };

@@ -125,7 +125,7 @@ std::vector<PoseTopics::Source> PoseTopics::unreadSources() const {
 void PoseTopics::read(const Source& source, const std::string& frame) {
   read_.insert(source.topic.name);
   const TopicReaders readers{
-      {source.topic.name, {TransformKind::kMoving, [&](const rosbag::MessageInstance& message) {
+      {source.topic.name, {TransformKind::kMoving, [&](const BagMessage& message) {
                              return source.message->read(message, frame);
                            }}}};
   bags_.read(readers, [&](RecordedTransform each) { recording_.add(std::move(each)); });
@@ -134,7 +134,7 @@ void PoseTopics::read(const Source& source, const std::string& frame) {
 /// The frames that a topic's messages connect.
 PoseTopics::GivenFrames PoseTopics::framesOf(const Source& source) {
   GivenFrames frames;
-  const auto look = [&](const rosbag::MessageInstance& message) {
+  const auto look = [&](const BagMessage& message) {
     for (const auto& each : source.message->read(message, "")) {
       const std::string moved = withoutLeadingSlashes(each.child_frame_id);
       frames.moved.insert(moved);
@@ -220,7 +220,7 @@ std::set<std::string> PoseTopics::jointsOf(const std::string& topic) {
   const auto known = joints_.find(topic);
   if (known != joints_.end()) return known->second;
   std::set<std::string>& names = joints_[topic];
-  const auto look = [&](const rosbag::MessageInstance& message) {
+  const auto look = [&](const BagMessage& message) {
     const auto joints = message.instantiate<RecordedJoints>();
     const auto& all = joints->message.name;
     if (!joints->message.position.empty()) names.insert(all.begin(), all.end());
@@ -241,7 +241,7 @@ void PoseTopics::readJoints(const std::string& topic, const std::vector<JointedR
       if (recording_.moves(frame)) known.insert(frame);
     }
   }
-  const auto read = [&](const rosbag::MessageInstance& message) {
+  const auto read = [&](const BagMessage& message) {
     const auto joints = message.instantiate<RecordedJoints>();
     Transforms all;
     for (const JointFrames& each : moved) {

@@ -40,7 +40,7 @@ bool isNamedTf(const std::string& topic) {
   return name == "tf" || name == "tf_static";
 }
 
-std::vector<geometry_msgs::TransformStamped> transformsOf(const rosbag::MessageInstance& message) {
+std::vector<geometry_msgs::TransformStamped> transformsOf(const BagMessage& message) {
   const auto recorded = message.instantiate<RecordedTransforms>();
   return std::move(recorded->message.transforms);
 }
