@@ -9,8 +9,9 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <opencv2/imgcodecs.hpp>
+#include "base/sqlite.h"
 #include "output/manifest/manifest_schema.h"
-#include "output/manifest/sqlite.h"
+
 #include "output/manifest/truth_tables.h"
 
 namespace {
@@ -86,7 +87,7 @@ void writePictures(const fs::path& folder) {
 }
 
 void writeManifest(const fs::path& file) {
-  using synthetic_dataset::output::SqliteDatabase;
+  using synthetic_dataset::base::SqliteDatabase;
   fs::remove(file);
   const SqliteDatabase database(file.string(), SqliteDatabase::Mode::kCreate);
   database.execute("PRAGMA page_size = 512");

@@ -38,7 +38,7 @@ MAY_INCLUDE = {
 
 # Folders within a room, each of which may include those before it, and what lies beside them all.
 INNER_ORDER = {
-    'src/motion': ('bag', 'tf', 'recorded'),
+    'src/motion': ('ros2', 'bag', 'tf', 'recorded'),
     'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'urdf', 'sdf'),
     'src/render': ('pixels', 'sensor', 'weather', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
                    'edges', 'lens', 'labels', 'picture'),
@@ -61,7 +61,8 @@ CONFINED = [
     ('JSON for Modern C++', re.compile(r'nlohmann/'), {'plugins', 'src/base'}),
     ('libmicrohttpd', re.compile(r'microhttpd\.h$'), {'src/programs'}),
     ('OpenSSL', re.compile(r'openssl/'), {'src/output'}),
-    ('SQLite', re.compile(r'sqlite3\.h$'), {'src/output'}),
+    ('SQLite', re.compile(r'sqlite3\.h$'), {'src/base'}),
+    ('Zstandard and LZ4', re.compile(r'(zstd|lz4frame)\.h$'), {'src/motion'}),
     ('pluginlib', re.compile(r'pluginlib/'), {'src/output', 'plugins'}),
     ("ROS's time", re.compile(r'ros/(time|duration)\.h$'),
      {'src/motion', 'src/programs', 'src/base', 'plugins'}),

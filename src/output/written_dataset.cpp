@@ -25,9 +25,9 @@ std::string existingManifest(const std::filesystem::path& folder) {
               "its output_folder)");
 }
 
-std::map<std::string, Value> settingsIn(SqliteDatabase& database) {
+std::map<std::string, Value> settingsIn(base::SqliteDatabase& database) {
   std::map<std::string, Value> settings;
-  SqliteStatement rows(database, "SELECT name, value FROM setting");
+  base::SqliteStatement rows(database, "SELECT name, value FROM setting");
   for (rows.start(); rows.step();) {
     const std::string name = rows.text(0);
     settings[name] = base::parseYaml(rows.text(1), "setting '" + name + "'");
@@ -35,7 +35,7 @@ std::map<std::string, Value> settingsIn(SqliteDatabase& database) {
   return settings;
 }
 
-ListedFile fileAt(const SqliteStatement& row) {
+ListedFile fileAt(const base::SqliteStatement& row) {
   ListedFile file;
   file.path = row.text(0);
   file.writer = static_cast<std::size_t>(row.integer(1));
@@ -47,26 +47,26 @@ ListedFile fileAt(const SqliteStatement& row) {
 }
 
 /// From seven columns: position and quaternion.
-Pose poseAt(const SqliteStatement& row, int first) {
+Pose poseAt(const base::SqliteStatement& row, int first) {
   return makePose({row.real(first), row.real(first + 1), row.real(first + 2)},
                   Eigen::Quaterniond(row.real(first + 6), row.real(first + 3), row.real(first + 4),
                                      row.real(first + 5)));
 }
 
-std::optional<Box> boxAt(const SqliteStatement& row, int first) {
+std::optional<Box> boxAt(const base::SqliteStatement& row, int first) {
   if (row.isNull(first)) return std::nullopt;
   return Box{row.real(first), row.real(first + 1), row.real(first + 2), row.real(first + 3)};
 }
 
-std::optional<std::int64_t> countAt(const SqliteStatement& row, int column) {
+std::optional<std::int64_t> countAt(const base::SqliteStatement& row, int column) {
   return row.isNull(column) ? std::nullopt : std::optional(row.integer(column));
 }
 
-std::optional<double> numberAt(const SqliteStatement& row, int column) {
+std::optional<double> numberAt(const base::SqliteStatement& row, int column) {
   return row.isNull(column) ? std::nullopt : std::optional(row.real(column));
 }
 
-ObjectFacts objectAt(const SqliteStatement& row) {
+ObjectFacts objectAt(const base::SqliteStatement& row) {
   ObjectFacts facts;
   facts.X_GO = row.isNull(0) ? std::nullopt : std::optional(poseAt(row, 0));
   facts.distance = numberAt(row, 7);
@@ -87,13 +87,13 @@ ObjectFacts objectAt(const SqliteStatement& row) {
 
 WrittenDataset::WrittenDataset(const std::filesystem::path& folder)
     : WrittenDataset(existingManifest(std::filesystem::absolute(folder)),
-                     SqliteDatabase::Mode::kExisting) {}
+                     base::SqliteDatabase::Mode::kExisting) {}
 
-WrittenDataset::WrittenDataset(const std::string& manifest, SqliteDatabase::Mode mode)
+WrittenDataset::WrittenDataset(const std::string& manifest, base::SqliteDatabase::Mode mode)
     : manifest_(manifest),
       folder_(std::filesystem::path(manifest).parent_path()),
       database_(manifest, mode) {
-  SqliteStatement rows(
+  base::SqliteStatement rows(
       database_, "SELECT \"index\", name, type, output_folder FROM writer ORDER BY \"index\"");
   for (rows.start(); rows.step();) {
     writers_.push_back({rows.integer(0),
@@ -104,7 +104,7 @@ WrittenDataset::WrittenDataset(const std::string& manifest, SqliteDatabase::Mode
   }
   const std::map<std::string, Value> settings = settingsIn(database_);
   for (WrittenWriter& each : writers_) each.settings = writerSettings(settings, each.name);
-  SqliteStatement cameras(database_, "SELECT name FROM camera ORDER BY \"index\"");
+  base::SqliteStatement cameras(database_, "SELECT name FROM camera ORDER BY \"index\"");
   for (cameras.start(); cameras.step();) cameras_.push_back(cameras.text(0));
 }
 
@@ -114,7 +114,7 @@ const ManifestContent& WrittenDataset::content() const {
 }
 
 std::vector<std::int64_t> WrittenDataset::scenes() const {
-  SqliteStatement rows(
+  base::SqliteStatement rows(
       database_,
       "SELECT \"index\" FROM scene WHERE state IN ('written', 'complete') ORDER BY \"index\"");
   std::vector<std::int64_t> scenes;
@@ -123,24 +123,25 @@ std::vector<std::int64_t> WrittenDataset::scenes() const {
 }
 
 std::int64_t WrittenDataset::middleScene() const {
-  SqliteStatement scenes(database_,
-                         "SELECT \"index\" FROM scene WHERE state IN ('written', 'complete') ORDER "
-                         "BY \"index\" LIMIT 1 OFFSET "
-                         "(SELECT count(*) / 2 FROM scene WHERE state IN ('written', 'complete'))");
+  base::SqliteStatement scenes(
+      database_,
+      "SELECT \"index\" FROM scene WHERE state IN ('written', 'complete') ORDER "
+      "BY \"index\" LIMIT 1 OFFSET "
+      "(SELECT count(*) / 2 FROM scene WHERE state IN ('written', 'complete'))");
   scenes.start();
   if (!scenes.step()) throw Error("'" + folder_.string() + "': the dataset has no scenes");
   return scenes.integer(0);
 }
 
 WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
-  SqliteStatement scenes(
+  base::SqliteStatement scenes(
       database_,
       "SELECT camera, instant, stamp_ns, split FROM scene WHERE \"index\" = ? AND "
       "state IN ('written', 'complete')");
   scenes.start(index);
   if (!scenes.step()) {
     (void)middleScene();  // throws for a dataset without scenes
-    SqliteStatement last(database_, "SELECT coalesce(max(\"index\"), -1) FROM scene");
+    base::SqliteStatement last(database_, "SELECT coalesce(max(\"index\"), -1) FROM scene");
     last.start();
     last.step();
     throw Error("found the scene " + std::to_string(index) + "; the dataset has 0 to " +
@@ -155,22 +156,22 @@ WrittenSceneRow WrittenDataset::scene(std::int64_t index) const {
 
 WrittenCounts WrittenDataset::counts() const {
   WrittenCounts counts;
-  SqliteStatement splits(database_,
-                         "SELECT split, count(*) FROM scene WHERE state IN ('written', "
-                         "'complete') GROUP BY split");
+  base::SqliteStatement splits(database_,
+                               "SELECT split, count(*) FROM scene WHERE state IN ('written', "
+                               "'complete') GROUP BY split");
   for (splits.start(); splits.step();) {
     counts.scenes += splits.integer(1);
     if (!splits.text(0).empty()) counts.splits[splits.text(0)] = splits.integer(1);
   }
-  SqliteStatement bytes(database_,
-                        "SELECT coalesce(sum(bytes), 0) FROM file WHERE linked_to IS NULL");
+  base::SqliteStatement bytes(database_,
+                              "SELECT coalesce(sum(bytes), 0) FROM file WHERE linked_to IS NULL");
   bytes.start();
   if (bytes.step()) counts.bytes = bytes.integer(0);
-  SqliteStatement labels(database_,
-                         "SELECT class.name, count(scene) FILTER (WHERE NOT dropped AND "
-                         "coalesce(visible_pixels > 0, in_view)) FROM class JOIN object ON "
-                         "object.class = class.id LEFT JOIN scene_object ON "
-                         "scene_object.object = object.\"index\" GROUP BY class.id");
+  base::SqliteStatement labels(database_,
+                               "SELECT class.name, count(scene) FILTER (WHERE NOT dropped AND "
+                               "coalesce(visible_pixels > 0, in_view)) FROM class JOIN object ON "
+                               "object.class = class.id LEFT JOIN scene_object ON "
+                               "scene_object.object = object.\"index\" GROUP BY class.id");
   for (labels.start(); labels.step();) counts.labels[labels.text(0)] = labels.integer(1);
   return counts;
 }
@@ -178,7 +179,7 @@ WrittenCounts WrittenDataset::counts() const {
 bool WrittenDataset::holds(const std::filesystem::path& file) const {
   std::error_code error;
   const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
-  SqliteStatement rows(database_, "SELECT path FROM file");
+  base::SqliteStatement rows(database_, "SELECT path FROM file");
   for (rows.start(); rows.step();) {
     const std::filesystem::path listed = folder_ / rows.text(0);
     if (std::filesystem::weakly_canonical(listed, error) == target) return true;
@@ -194,17 +195,18 @@ bool WrittenDataset::isInAWriter(const std::filesystem::path& folder) const {
 }
 
 bool WrittenDataset::hasPictures(const WrittenWriter& writer) const {
-  SqliteStatement rows(database_,
-                       "SELECT 1 FROM file WHERE writer = ? AND scene IS NOT NULL AND (path LIKE "
-                       "'%.png' OR path LIKE '%.jpg') LIMIT 1");
+  base::SqliteStatement rows(
+      database_,
+      "SELECT 1 FROM file WHERE writer = ? AND scene IS NOT NULL AND (path LIKE "
+      "'%.png' OR path LIKE '%.jpg') LIMIT 1");
   rows.start(writer.index);
   return rows.step();
 }
 
 std::vector<std::filesystem::path> WrittenDataset::files(const WrittenWriter& writer,
                                                          std::int64_t scene) const {
-  SqliteStatement rows(database_,
-                       "SELECT path FROM file WHERE writer = ? AND scene = ? ORDER BY path");
+  base::SqliteStatement rows(database_,
+                             "SELECT path FROM file WHERE writer = ? AND scene = ? ORDER BY path");
   std::vector<std::filesystem::path> files;
   for (rows.start(writer.index, scene); rows.step();) {
     files.push_back((folder_ / rows.text(0)).lexically_normal());
@@ -213,7 +215,7 @@ std::vector<std::filesystem::path> WrittenDataset::files(const WrittenWriter& wr
 }
 
 bool WrittenDataset::lists(const std::string& path) const {
-  SqliteStatement find(database_, "SELECT 1 FROM file WHERE path = ?");
+  base::SqliteStatement find(database_, "SELECT 1 FROM file WHERE path = ?");
   find.start(listedPath(folder(), path));
   return find.step();
 }
@@ -229,9 +231,10 @@ bool WrittenDataset::listsTemporary(const std::string& path) const {
   }
   if (lists(folder + name.substr(1, name.size() - 1 - end.size()))) return true;
   const std::string beginning = listedPath(this->folder(), folder);
-  SqliteStatement rows(database_,
-                       "SELECT path FROM file WHERE path >= ?1 AND substr(path, 1, length(?1)) = "
-                       "?1 AND length(path) > length(?1) + 200");
+  base::SqliteStatement rows(
+      database_,
+      "SELECT path FROM file WHERE path >= ?1 AND substr(path, 1, length(?1)) = "
+      "?1 AND length(path) > length(?1) + 200");
   for (rows.start(beginning == "./" ? std::string() : beginning); rows.step();) {
     if (temporaryPath(absoluteFrom(this->folder(), rows.text(0))) == path) return true;
   }
@@ -239,7 +242,7 @@ bool WrittenDataset::listsTemporary(const std::string& path) const {
 }
 
 void WrittenDataset::forEachScene(const std::function<void(const SceneFacts&)>& visit) const {
-  SqliteStatement rows(
+  base::SqliteStatement rows(
       database_,
       "SELECT \"index\", stamp_ns, instant, camera, split, seed, x, y, z, qx, qy, qz, qw, width, "
       "height FROM scene WHERE state IN ('written', 'complete') ORDER BY \"index\"");
@@ -260,7 +263,7 @@ void WrittenDataset::forEachScene(const std::function<void(const SceneFacts&)>& 
 }
 
 void WrittenDataset::addMeasures(SceneFacts& scene) const {
-  SqliteStatement objects(
+  base::SqliteStatement objects(
       database_,
       "SELECT x, y, z, qx, qy, qz, qw, distance, in_view, loose_left, loose_top, loose_right, "
       "loose_bottom, silhouette_left, silhouette_top, silhouette_right, silhouette_bottom, "
@@ -268,7 +271,7 @@ void WrittenDataset::addMeasures(SceneFacts& scene) const {
       "visible_pixels, visibility, truncation, dropped, mask_agreement FROM scene_object WHERE "
       "scene = ? ORDER BY object");
   for (objects.start(scene.index); objects.step();) scene.objects.push_back(objectAt(objects));
-  SqliteStatement warnings(
+  base::SqliteStatement warnings(
       database_, "SELECT kind, detail, count FROM warning WHERE scene = ? ORDER BY sequence");
   for (warnings.start(scene.index); warnings.step();) {
     scene.warnings.push_back({warnings.text(0), warnings.text(1), warnings.integer(2)});
@@ -278,16 +281,17 @@ void WrittenDataset::addMeasures(SceneFacts& scene) const {
 
 void WrittenDataset::forEachFileOf(const std::optional<std::int64_t>& scene,
                                    const std::function<void(const ListedFile&)>& visit) const {
-  SqliteStatement rows(database_,
-                       "SELECT path, writer, scene, bytes, digest, linked_to FROM file WHERE scene "
-                       "IS ? ORDER BY writer, path");
+  base::SqliteStatement rows(
+      database_,
+      "SELECT path, writer, scene, bytes, digest, linked_to FROM file WHERE scene "
+      "IS ? ORDER BY writer, path");
   for (rows.start(scene); rows.step();) visit(fileAt(rows));
 }
 
 std::vector<SceneFiles::Record> WrittenDataset::recordsOf(std::size_t writer,
                                                           std::int64_t scene) const {
-  SqliteStatement rows(database_,
-                       "SELECT text FROM record WHERE writer = ? AND scene = ? ORDER BY sequence");
+  base::SqliteStatement rows(
+      database_, "SELECT text FROM record WHERE writer = ? AND scene = ? ORDER BY sequence");
   std::vector<SceneFiles::Record> records;
   for (rows.start(static_cast<std::int64_t>(writer), scene); rows.step();) {
     const std::string text = rows.text(0);

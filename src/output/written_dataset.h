@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/sqlite.h"
 #include "output/manifest/manifest_content.h"
 #include "output/manifest/picture_facts.h"
-#include "output/manifest/sqlite.h"
 #include "output/store_types.h"
 #include "synthetic_dataset/scene.h"
 #include "synthetic_dataset/value.h"
@@ -63,7 +63,7 @@ class WrittenDataset {
 
   /// @param manifest  its absolute path, of a whole run or a shard; it should have passed
   ///     `structureProblems`, and is not written to
-  WrittenDataset(const std::string& manifest, SqliteDatabase::Mode mode);
+  WrittenDataset(const std::string& manifest, base::SqliteDatabase::Mode mode);
 
   [[nodiscard]] const std::string& manifest() const { return manifest_; }
   [[nodiscard]] std::string folder() const { return folder_.string(); }  ///< of the manifest
@@ -123,7 +123,7 @@ class WrittenDataset {
 
   std::string manifest_;
   std::filesystem::path folder_;
-  SqliteDatabase database_;
+  base::SqliteDatabase database_;
   mutable std::optional<ManifestContent> content_;  ///< once it was asked for
   std::vector<WrittenWriter> writers_;
   std::vector<std::string> cameras_;

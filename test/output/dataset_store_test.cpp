@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "output/manifest/sqlite.h"
+#include "base/sqlite.h"
 #include "output/store_fixture.h"
 #include "synthetic_dataset/errors.h"
 
@@ -330,8 +330,8 @@ TEST(DatasetStore, EndsWhileOthersReadItsManifest) {
     while (!is_over) {
       if (!fs::exists(file)) continue;
       try {
-        const SqliteDatabase manifest(file, SqliteDatabase::Mode::kReadOnly);
-        SqliteStatement count(manifest, "SELECT count(*) FROM scene");
+        const base::SqliteDatabase manifest(file, base::SqliteDatabase::Mode::kReadOnly);
+        base::SqliteStatement count(manifest, "SELECT count(*) FROM scene");
         while (count.step()) continue;
       } catch (const Error&) {
         continue;  // it came between the file's making and its tables

@@ -7,8 +7,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "render/pixels/srgb.h"
 #include "run_fixture.h"
 
@@ -37,9 +37,9 @@ cv::Mat noise(const cv::Size& size, std::uint64_t seed) {
 
 /// The first column of each row.
 std::vector<std::string> listed(const std::string& folder, const std::string& query) {
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement row(manifest, query);
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(manifest, query);
   std::vector<std::string> texts;
   while (row.step()) texts.push_back(row.text(0));
   return texts;

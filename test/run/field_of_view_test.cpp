@@ -10,8 +10,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "support/writers/plugin_environment.h"
 #include "synthetic_dataset/errors.h"
@@ -183,9 +183,9 @@ class ZoomingRun : public ::testing::Test {
 
   /// What a query of the manifest finds in its first column.
   [[nodiscard]] std::vector<double> numbersIn(const std::string& sql) const {
-    const output::SqliteDatabase manifest(run.folder() + "/manifest.sqlite",
-                                          output::SqliteDatabase::Mode::kReadOnly);
-    output::SqliteStatement row(manifest, sql);
+    const base::SqliteDatabase manifest(run.folder() + "/manifest.sqlite",
+                                        base::SqliteDatabase::Mode::kReadOnly);
+    base::SqliteStatement row(manifest, sql);
     std::vector<double> numbers;
     while (row.step()) numbers.push_back(numberOf(yaml(row.text(0))));
     return numbers;

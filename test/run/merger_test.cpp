@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "output/manifest/manifest_schema.h"
-#include "output/manifest/sqlite.h"
 #include "support/error_messages.h"
 #include "support/writers/plugin_environment.h"
 
@@ -112,8 +112,8 @@ TEST_F(MergerTest, NamesTheInputThatHasChangedSince) {
 
 TEST_F(MergerTest, RefusesShardsOfAnotherVersionOfTheSoftware) {
   (void)run.runShard(0, 1, run.folder());
-  output::SqliteDatabase(output::manifestFile(run.folder(), output::Shard{0, 1}),
-                         output::SqliteDatabase::Mode::kExisting)
+  base::SqliteDatabase(output::manifestFile(run.folder(), output::Shard{0, 1}),
+                       base::SqliteDatabase::Mode::kExisting)
       .execute("UPDATE software SET version = '0.1.0' WHERE name = 'synthetic_dataset'");
   EXPECT_THAT(errorsOfMerging(run.folder()),
               ElementsAre(HasSubstr("software synthetic_dataset: then 0.1.0, now ")));
@@ -122,7 +122,7 @@ TEST_F(MergerTest, RefusesShardsOfAnotherVersionOfTheSoftware) {
 TEST_F(MergerTest, RefusesAShardThatListsFilesElsewhere) {
   (void)run.runShard(0, 1, run.folder());
   const std::string manifest = output::manifestFile(run.folder(), output::Shard{0, 1});
-  const output::SqliteDatabase database(manifest, output::SqliteDatabase::Mode::kExisting);
+  const base::SqliteDatabase database(manifest, base::SqliteDatabase::Mode::kExisting);
   const std::string first = "(SELECT min(path) FROM file)";
   const std::string precious = run.input("precious.txt");
   database.execute("UPDATE file SET path = '" + precious + "' WHERE path = " + first);
@@ -137,8 +137,8 @@ TEST_F(MergerTest, RefusesAShardWhoseFolderIsALink) {
   (void)run.runShard(0, 1, run.folder());
   const fs::path images = fs::path(run.folder()) / "link";
   fs::create_directory_symlink(run.input(""), images);
-  const output::SqliteDatabase database(output::manifestFile(run.folder(), output::Shard{0, 1}),
-                                        output::SqliteDatabase::Mode::kExisting);
+  const base::SqliteDatabase database(output::manifestFile(run.folder(), output::Shard{0, 1}),
+                                      base::SqliteDatabase::Mode::kExisting);
   database.execute("UPDATE file SET path = 'link/a.png' WHERE path = (SELECT min(path) FROM file)");
   EXPECT_THAT(errorsOfMerging(run.folder()), Contains(HasSubstr("lists files outside of it")));
 }

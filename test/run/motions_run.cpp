@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "run/generator.h"
 #include "support/bag_builder.h"
 #include "support/error_messages.h"
@@ -15,8 +15,6 @@ namespace synthetic_dataset::test {
 namespace {
 
 namespace fs = std::filesystem;
-using output::SqliteDatabase;
-using output::SqliteStatement;
 
 constexpr char kWideCamera[] = R"(image_width: 320
 image_height: 100
@@ -104,8 +102,9 @@ std::vector<std::string> MotionsRun::errors() const {
 }
 
 std::vector<ListedScene> MotionsRun::scenes() const {
-  const SqliteDatabase manifest(folder() + "/manifest.sqlite", SqliteDatabase::Mode::kReadOnly);
-  SqliteStatement row(
+  const base::SqliteDatabase manifest(folder() + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(
       manifest, "SELECT instant, stamp_ns, width, height, split FROM scene ORDER BY \"index\"");
   std::vector<ListedScene> scenes;
   while (row.step()) {
@@ -116,9 +115,10 @@ std::vector<ListedScene> MotionsRun::scenes() const {
 }
 
 std::vector<ListedMotion> MotionsRun::motions() const {
-  const SqliteDatabase manifest(folder() + "/manifest.sqlite", SqliteDatabase::Mode::kReadOnly);
-  SqliteStatement row(manifest,
-                      "SELECT name, first_instant, instant_count FROM motion ORDER BY \"index\"");
+  const base::SqliteDatabase manifest(folder() + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(
+      manifest, "SELECT name, first_instant, instant_count FROM motion ORDER BY \"index\"");
   std::vector<ListedMotion> motions;
   while (row.step()) motions.push_back({row.text(0), row.integer(1), row.integer(2)});
   return motions;

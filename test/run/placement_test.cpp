@@ -10,7 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
-#include "output/manifest/sqlite.h"
+#include "base/sqlite.h"
 #include "run/generator.h"
 #include "run/merger.h"
 #include "run_fixture.h"
@@ -23,8 +23,6 @@ namespace placement_test {
 
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
-using output::SqliteDatabase;
-using output::SqliteStatement;
 using test::AllAtOnceRun;
 using test::milliseconds;
 using test::poseAt;
@@ -67,23 +65,23 @@ struct ManifestScene {
   std::vector<ManifestObject> objects;
 };
 
-Pose poseIn(const SqliteStatement& row, int first) {
+Pose poseIn(const base::SqliteStatement& row, int first) {
   const auto number = [&](int i) { return row.real(first + i); };
   return makePose({number(0), number(1), number(2)},
                   Eigen::Quaterniond(number(6), number(3), number(4), number(5)));
 }
 
 std::vector<ManifestScene> scenesIn(const fs::path& folder) {
-  const SqliteDatabase manifest((folder / "manifest.sqlite").string(),
-                                SqliteDatabase::Mode::kReadOnly);
+  const base::SqliteDatabase manifest((folder / "manifest.sqlite").string(),
+                                      base::SqliteDatabase::Mode::kReadOnly);
   std::vector<ManifestScene> scenes;
-  SqliteStatement scene(manifest,
-                        "SELECT stamp_ns, x, y, z, qx, qy, qz, qw FROM scene ORDER BY \"index\"");
+  base::SqliteStatement scene(
+      manifest, "SELECT stamp_ns, x, y, z, qx, qy, qz, qw FROM scene ORDER BY \"index\"");
   while (scene.step()) scenes.push_back({Stamp(scene.integer(0)), poseIn(scene, 1), {}});
-  SqliteStatement object(manifest,
-                         "SELECT scene, x, y, z, qx, qy, qz, qw, visible_pixels, visibility, "
-                         "visible_left, visible_top, visible_right, visible_bottom "
-                         "FROM scene_object ORDER BY scene, object");
+  base::SqliteStatement object(manifest,
+                               "SELECT scene, x, y, z, qx, qy, qz, qw, visible_pixels, visibility, "
+                               "visible_left, visible_top, visible_right, visible_bottom "
+                               "FROM scene_object ORDER BY scene, object");
   while (object.step()) {
     scenes[static_cast<std::size_t>(object.integer(0))].objects.push_back(
         {poseIn(object, 1),

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "support/writers/plugin_environment.h"
 
@@ -60,14 +60,14 @@ class TimeJitter : public ::testing::Test {
   std::vector<ListedScene> generate() {
     fs::remove_all(run.folder());
     (void)run.run();
-    const output::SqliteDatabase manifest(run.folder() + "/manifest.sqlite",
-                                          output::SqliteDatabase::Mode::kReadOnly);
-    output::SqliteStatement row(manifest,
-                                "SELECT stamp_ns, value, alpha_y FROM scene JOIN draw ON "
-                                "draw.scene = scene.\"index\" AND name = "
-                                "'time/jitter' JOIN (SELECT scene AS of, y AS alpha_y FROM "
-                                "scene_object WHERE object = 0) ON of = "
-                                "scene.\"index\" WHERE camera = 'left' ORDER BY scene.\"index\"");
+    const base::SqliteDatabase manifest(run.folder() + "/manifest.sqlite",
+                                        base::SqliteDatabase::Mode::kReadOnly);
+    base::SqliteStatement row(manifest,
+                              "SELECT stamp_ns, value, alpha_y FROM scene JOIN draw ON "
+                              "draw.scene = scene.\"index\" AND name = "
+                              "'time/jitter' JOIN (SELECT scene AS of, y AS alpha_y FROM "
+                              "scene_object WHERE object = 0) ON of = "
+                              "scene.\"index\" WHERE camera = 'left' ORDER BY scene.\"index\"");
     std::vector<ListedScene> scenes;
     while (row.step()) {
       const double seconds = *yaml(row.text(1)).as<double>();

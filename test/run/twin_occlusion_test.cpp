@@ -10,8 +10,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "run/live/json_values.h"
 #include "run/setup/run_setup.h"
 #include "run_fixture.h"
@@ -130,9 +130,9 @@ class TwinOcclusion : public test::RunFixture {
 
   /// A column of the manifest.
   [[nodiscard]] std::vector<std::string> rows(const std::string& query) const {
-    const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                          output::SqliteDatabase::Mode::kReadOnly);
-    output::SqliteStatement found(manifest, query);
+    const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                        base::SqliteDatabase::Mode::kReadOnly);
+    base::SqliteStatement found(manifest, query);
     std::vector<std::string> all;
     while (found.step()) all.push_back(found.text(0));
     return all;
@@ -261,9 +261,9 @@ TEST_F(TwinOcclusion, TellsTheShareThatNothingMeasures) {
   });
   parameters["twin"] = yaml("{depth_topic: /eye/depth}");
   (void)filesAnew();
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement found(manifest, "SELECT scene, object, unmeasured FROM object_cover");
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement found(manifest, "SELECT scene, object, unmeasured FROM object_cover");
   while (found.step()) {
     const auto scene = static_cast<std::size_t>(found.integer(0));
     const std::string object = "_00000" + std::to_string(found.integer(1));

@@ -8,9 +8,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
 #include "config/twin_runs.h"
-#include "output/manifest/sqlite.h"
 #include "output/verify/dataset_verifier.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
@@ -228,13 +228,13 @@ TEST_F(Twin, GivesTheSameBytesWhenItGoesOn) {
 TEST_F(Twin, MeasuresHowWellLabelsMeetPictures) {
   recordRaw();
   (void)filesAnew();
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement rows(manifest, "SELECT alignment FROM scene_alignment ORDER BY scene");
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement rows(manifest, "SELECT alignment FROM scene_alignment ORDER BY scene");
   int count = 0;
   for (; rows.step(); ++count) EXPECT_GT(rows.real(0), 0.85);
   EXPECT_EQ(count, 4);
-  output::SqliteStatement objects(manifest, "SELECT count(*) FROM object_alignment");
+  base::SqliteStatement objects(manifest, "SELECT count(*) FROM object_alignment");
   ASSERT_TRUE(objects.step());
   EXPECT_EQ(objects.integer(0), 8);
 }

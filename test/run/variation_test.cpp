@@ -10,8 +10,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "run/merger.h"
 #include "run_fixture.h"
 #include "support/writers/plugin_environment.h"
@@ -48,9 +48,9 @@ std::vector<double> numbersOf(const Value& value) {
 
 /// The manifest's table `draw`, scene by scene.
 std::map<std::int64_t, Draws> drawsIn(const std::string& folder) {
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement row(manifest, "SELECT scene, name, value FROM draw");
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(manifest, "SELECT scene, name, value FROM draw");
   std::map<std::int64_t, Draws> draws;
   // JSON is YAML.
   while (row.step()) draws[row.integer(0)][row.text(1)] = numbersOf(yaml(row.text(2)));
@@ -279,11 +279,11 @@ struct ObjectRow {
 
 /// By scene and the object's name.
 std::map<std::int64_t, std::map<std::string, ObjectRow>> objectsIn(const std::string& folder) {
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement row(manifest,
-                              "SELECT scene, name, in_view, dropped, z "
-                              "FROM scene_object JOIN object ON object = object.\"index\"");
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(manifest,
+                            "SELECT scene, name, in_view, dropped, z "
+                            "FROM scene_object JOIN object ON object = object.\"index\"");
   std::map<std::int64_t, std::map<std::string, ObjectRow>> objects;
   while (row.step()) {
     objects[row.integer(0)][row.text(1)] = {

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 
 #include "all_at_once_run.h"
+#include "base/sqlite.h"
 #include "base/yaml_value.h"
-#include "output/manifest/sqlite.h"
 #include "randomize/appearance/object_variety.h"
 #include "run/merger.h"
 #include "run_fixture.h"
@@ -58,9 +58,9 @@ struct Worn {
 };
 
 std::map<std::int64_t, Worn> wornIn(const std::string& folder) {
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement row(manifest, "SELECT scene, name, value FROM draw");
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(manifest, "SELECT scene, name, value FROM draw");
   std::map<std::int64_t, Worn> worn;
   while (row.step()) {
     const Value value = yaml(row.text(2));  // JSON is YAML
@@ -219,10 +219,10 @@ std::string meshModel(const std::string& obj_file, const world::Model& model) {
 }
 
 std::map<std::int64_t, int> variantsIn(const std::string& folder) {
-  const output::SqliteDatabase manifest(folder + "/manifest.sqlite",
-                                        output::SqliteDatabase::Mode::kReadOnly);
-  output::SqliteStatement row(manifest,
-                              "SELECT scene, value FROM draw WHERE name = 'objects/bravo/variant'");
+  const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
+                                      base::SqliteDatabase::Mode::kReadOnly);
+  base::SqliteStatement row(manifest,
+                            "SELECT scene, value FROM draw WHERE name = 'objects/bravo/variant'");
   std::map<std::int64_t, int> variants;
   while (row.step()) {
     variants[row.integer(0)] = static_cast<int>(*yaml(row.text(1)).as<double>());

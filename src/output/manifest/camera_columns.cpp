@@ -15,7 +15,8 @@ std::string coefficientText(const Distortion& distortion) {
   return base::jsonText(Value(numbers));
 }
 
-std::optional<CameraModel> cameraAt(const SqliteStatement& row, int first, int width, int height) {
+std::optional<CameraModel> cameraAt(const base::SqliteStatement& row, int first, int width,
+                                    int height) {
   std::vector<double> coefficients;
   const Value list = base::parseYaml(row.text(first + 7), "a camera's coefficients");
   if (list.is<Value::List>()) {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "output/manifest/sqlite.h"
+#include "base/sqlite.h"
 #include "synthetic_dataset/camera_model.h"
 
 /// Calibrations in the manifest's tables.
@@ -13,7 +13,7 @@ namespace synthetic_dataset::output {
 [[nodiscard]] std::string coefficientText(const Distortion& distortion);
 
 /// From nine columns, as both tables of cameras have them; nothing for a camera that cannot be.
-[[nodiscard]] std::optional<CameraModel> cameraAt(const SqliteStatement& row, int first, int width,
-                                                  int height);
+[[nodiscard]] std::optional<CameraModel> cameraAt(const base::SqliteStatement& row, int first,
+                                                  int width, int height);
 
 }  // namespace synthetic_dataset::output

@@ -23,7 +23,7 @@ namespace {
 
 /// What an open manifest promises the disk. With a write-ahead log a killed process costs nothing,
 /// and a power cut leaves an earlier state whole unless `synchronous` is OFF.
-void applySettings(const SqliteDatabase& database, const std::string& folder, Sync sync) {
+void applySettings(const base::SqliteDatabase& database, const std::string& folder, Sync sync) {
   // Whoever reads the manifest meanwhile may hold it for a moment.
   database.execute("PRAGMA busy_timeout = 20000");
   // Other processes may read the log through shared memory, which machines do not share: on a
@@ -37,46 +37,46 @@ void applySettings(const SqliteDatabase& database, const std::string& folder, Sy
 
 std::int64_t flag(bool value) { return value ? 1 : 0; }
 
-void insertRun(const SqliteDatabase& database, const std::optional<Shard>& shard,
+void insertRun(const base::SqliteDatabase& database, const std::optional<Shard>& shard,
                const RunDescription& run) {
-  SqliteStatement fact(database, "INSERT INTO run VALUES (?, ?)");
+  base::SqliteStatement fact(database, "INSERT INTO run VALUES (?, ?)");
   fact.run(std::string("format_version"), std::string(kManifestVersion));
   fact.run(std::string("scene_count"), std::to_string(run.scene_count));
   fact.run(std::string("settings_digest"), settingsDigest(run));
   fact.run(std::string("global_frame"), run.global_frame);
   if (shard) fact.run(std::string("shard"), shardText(*shard));
   fact.run(std::string("state"), std::string("running"));
-  SqliteStatement setting(database, "INSERT INTO setting VALUES (?, ?, ?)");
+  base::SqliteStatement setting(database, "INSERT INTO setting VALUES (?, ?, ?)");
   for (const auto& [name, each] : run.settings) {
     setting.run(name, each.value, flag(each.is_default));
   }
-  SqliteStatement software(database, "INSERT INTO software VALUES (?, ?)");
+  base::SqliteStatement software(database, "INSERT INTO software VALUES (?, ?)");
   for (const auto& [name, version] : run.software) software.run(name, version);
-  SqliteStatement input(database, "INSERT INTO input VALUES (?, ?, ?)");
+  base::SqliteStatement input(database, "INSERT INTO input VALUES (?, ?, ?)");
   for (const auto& [path, each] : run.inputs) input.run(path, each.bytes, each.digest);
 }
 
-void insertContents(const SqliteDatabase& database, const std::string& folder,
+void insertContents(const base::SqliteDatabase& database, const std::string& folder,
                     const std::vector<StoreWriter>& writers, const RunDescription& run) {
-  SqliteStatement writer(database, "INSERT INTO writer VALUES (?, ?, ?, ?)");
+  base::SqliteStatement writer(database, "INSERT INTO writer VALUES (?, ?, ?, ?)");
   for (std::size_t i = 0; i < writers.size(); ++i) {
     writer.run(signedIndex(i), writers[i].name, writers[i].type,
                listedPath(folder, writers[i].output_folder));
   }
-  SqliteStatement one_class(database, "INSERT INTO class VALUES (?, ?)");
+  base::SqliteStatement one_class(database, "INSERT INTO class VALUES (?, ?)");
   for (const auto& each : run.classes) one_class.run(std::int64_t{each.id}, each.name);
-  SqliteStatement motion(database, "INSERT INTO motion VALUES (?, ?, ?, ?)");
+  base::SqliteStatement motion(database, "INSERT INTO motion VALUES (?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.motions.size(); ++i) {
     const auto& each = run.motions[i];
     motion.run(signedIndex(i), each.name, each.first_instant, each.instant_count);
   }
-  SqliteStatement camera(database, "INSERT INTO camera VALUES (?, ?, ?, ?, ?)");
+  base::SqliteStatement camera(database, "INSERT INTO camera VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.cameras.size(); ++i) {
     const auto& each = run.cameras[i];
     camera.run(signedIndex(i), each.name, each.frame, std::int64_t{each.width},
                std::int64_t{each.height});
   }
-  SqliteStatement object(database, "INSERT INTO object VALUES (?, ?, ?, ?)");
+  base::SqliteStatement object(database, "INSERT INTO object VALUES (?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.objects.size(); ++i) {
     const auto& each = run.objects[i];
     object.run(signedIndex(i), each.name, std::int64_t{each.class_id}, each.id);
@@ -85,7 +85,7 @@ void insertContents(const SqliteDatabase& database, const std::string& folder,
 
 constexpr std::int64_t kWholeRun = -1;  // the `scene` of a warning that concerns no scene
 
-void insertWarnings(SqliteStatement& statement, std::int64_t scene,
+void insertWarnings(base::SqliteStatement& statement, std::int64_t scene,
                     const std::vector<Warning>& warnings) {
   std::int64_t sequence = 0;
   for (const Warning& warning : warnings) {
@@ -97,18 +97,18 @@ void insertWarnings(SqliteStatement& statement, std::int64_t scene,
 void fillDatabase(const std::string& file, const std::string& folder,
                   const std::optional<Shard>& shard, const std::vector<StoreWriter>& writers,
                   const RunDescription& run) {
-  SqliteDatabase database(file, SqliteDatabase::Mode::kCreate);
+  base::SqliteDatabase database(file, base::SqliteDatabase::Mode::kCreate);
   // Named since SQLite's default has changed once: equal runs make equal bytes.
   database.execute("PRAGMA page_size = 4096");
   database.execute("PRAGMA journal_mode = MEMORY");
   database.execute("PRAGMA synchronous = OFF");
-  SqliteTransaction transaction(database);
+  base::SqliteTransaction transaction(database);
   database.execute(kManifestTables);
   database.execute(kTruthTables);
   insertRun(database, shard, run);
   insertContents(database, folder, writers, run);
   insertTruth(database, run);
-  SqliteStatement warning(database, "INSERT INTO warning VALUES (?, ?, ?, ?, ?)");
+  base::SqliteStatement warning(database, "INSERT INTO warning VALUES (?, ?, ?, ?, ?)");
   insertWarnings(warning, kWholeRun, run.warnings);
   transaction.commit();
 }
@@ -129,9 +129,9 @@ void giveName(const std::string& temporary, const std::string& file) {
   }
 }
 
-SqliteDatabase openDatabase(const std::string& folder, const std::optional<Shard>& shard,
-                            Sync sync) {
-  SqliteDatabase database(manifestFile(folder, shard), SqliteDatabase::Mode::kExisting);
+base::SqliteDatabase openDatabase(const std::string& folder, const std::optional<Shard>& shard,
+                                  Sync sync) {
+  base::SqliteDatabase database(manifestFile(folder, shard), base::SqliteDatabase::Mode::kExisting);
   applySettings(database, folder, sync);
   return database;
 }
@@ -181,7 +181,7 @@ Manifest Manifest::open(const std::string& folder, const std::optional<Shard>& s
 }
 
 Manifest::Manifest(const std::string& folder, const std::optional<Shard>& shard,
-                   SqliteDatabase database)
+                   base::SqliteDatabase database)
     : folder_(folder),
       file_(manifestFile(folder, shard)),
       identity_(identityOf(file_)),
@@ -230,7 +230,7 @@ void Manifest::insertFile(std::optional<std::int64_t> scene, const ManifestFile&
 }
 
 void Manifest::announceScene(const SceneFacts& scene, const std::vector<ManifestFile>& files) {
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   find_scene_.start(scene.index);
   const bool listed = find_scene_.step();
   find_scene_.reset();
@@ -246,26 +246,26 @@ void Manifest::announceScene(const SceneFacts& scene, const std::vector<Manifest
 }
 
 void Manifest::announce(const ManifestFile& file) {
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   insertFile(std::nullopt, file);
   transaction.commit();
 }
 
 void Manifest::withdrawScene(std::int64_t index) {
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   std::vector<std::string> tables = truthTablesOfScenes();
   for (const char* table : {"scene_object", "contact", "draw", "file", "record", "warning"}) {
     tables.emplace_back(table);
   }
   for (const std::string& table : tables) {
-    SqliteStatement(database_, "DELETE FROM " + table + " WHERE scene = ?").run(index);
+    base::SqliteStatement(database_, "DELETE FROM " + table + " WHERE scene = ?").run(index);
   }
-  SqliteStatement(database_, "DELETE FROM scene WHERE \"index\" = ?").run(index);
+  base::SqliteStatement(database_, "DELETE FROM scene WHERE \"index\" = ?").run(index);
   transaction.commit();
 }
 
 void Manifest::withdraw(const std::string& path) {
-  SqliteStatement(database_, "DELETE FROM file WHERE path = ?").run(listedPath(path));
+  base::SqliteStatement(database_, "DELETE FROM file WHERE path = ?").run(listedPath(path));
 }
 
 void Manifest::insertMeasures(const SceneFacts& scene) {
@@ -285,19 +285,19 @@ void Manifest::insertMeasures(const SceneFacts& scene) {
                        each.visible_pixels, each.visibility, each.truncation, flag(each.dropped),
                        each.mask_agreement);
   }
-  SqliteStatement contact(database_, "INSERT INTO contact VALUES (?, ?, ?, ?, ?)");
+  base::SqliteStatement contact(database_, "INSERT INTO contact VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
     const ContactFacts& each = scene.contacts[i];
     contact.run(scene.index, signedIndex(i), each.first, each.second, each.depth);
   }
-  SqliteStatement draw(database_, "INSERT INTO draw VALUES (?, ?, ?)");
+  base::SqliteStatement draw(database_, "INSERT INTO draw VALUES (?, ?, ?)");
   for (const DrawFacts& each : scene.draws) draw.run(scene.index, each.name, each.value);
   insertWarnings(insert_warning_, scene.index, scene.warnings);
 }
 
 void Manifest::listScene(const SceneFacts& scene, const std::vector<PictureFacts>& pictures,
                          const std::vector<SceneFiles::Record>& records) {
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   insertMeasures(scene);
   truth_.insert(scene, pictures);
   std::vector<std::int64_t> sequences;  // by writer
@@ -312,7 +312,7 @@ void Manifest::listScene(const SceneFacts& scene, const std::vector<PictureFacts
 
 void Manifest::leaveOutScene(const SceneFacts& scene) {
   announceScene(scene, {});
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   truth_.insertPictureFit(scene);
   insertWarnings(insert_warning_, scene.index, scene.warnings);
   set_state_.run(std::string("left out"), scene.index);
@@ -324,7 +324,7 @@ void Manifest::markComplete() {
 }
 
 void Manifest::setContent(const std::string& path, std::int64_t bytes, const std::string& digest) {
-  SqliteStatement(database_, "UPDATE file SET bytes = ?, digest = ? WHERE path = ?")
+  base::SqliteStatement(database_, "UPDATE file SET bytes = ?, digest = ? WHERE path = ?")
       .run(bytes, digest, listedPath(path));
 }
 
@@ -333,7 +333,7 @@ bool Manifest::isInPlace() const { return identityOf(file_) == identity_; }
 namespace {
 
 /// SQLite itself does not wait here for those who read, as they may at any time.
-void endLog(const SqliteDatabase& database) {
+void endLog(const base::SqliteDatabase& database) {
   constexpr int kMostTries = 1000;
   constexpr std::chrono::milliseconds kPause(20);
   database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
@@ -352,7 +352,7 @@ void endLog(const SqliteDatabase& database) {
 void Manifest::reopen() {
   database_.execute("UPDATE run SET value = 'running' WHERE key = 'state'");
   // Each VACUUM counts it up; the manifest is to have the bytes of one that was finished once.
-  SqliteStatement version(database_, "PRAGMA schema_version");
+  base::SqliteStatement version(database_, "PRAGMA schema_version");
   const std::int64_t counted = version.step() ? version.integer(0) : 0;
   version.reset();
   database_.execute("PRAGMA schema_version = " + std::to_string(counted - 1));
@@ -360,14 +360,14 @@ void Manifest::reopen() {
 
 void Manifest::listAtEnd(const std::vector<Warning>& warnings) {
   std::set<std::string> listed;
-  SqliteStatement rows(database_, "SELECT kind FROM warning WHERE scene = ?");
+  base::SqliteStatement rows(database_, "SELECT kind FROM warning WHERE scene = ?");
   for (rows.start(kWholeRun); rows.step();) listed.insert(rows.text(0));
-  SqliteStatement last(database_,
-                       "SELECT coalesce(max(sequence), -1) FROM warning WHERE scene = ?");
+  base::SqliteStatement last(database_,
+                             "SELECT coalesce(max(sequence), -1) FROM warning WHERE scene = ?");
   last.start(kWholeRun);
   std::int64_t sequence = last.step() ? last.integer(0) : -1;
   last.reset();
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   for (const Warning& each : warnings) {
     if (!listed.insert(each.kind).second) continue;
     insert_warning_.run(kWholeRun, ++sequence, each.count, each.kind, each.detail);
@@ -380,12 +380,12 @@ void Manifest::finish(const std::vector<Warning>& warnings) {
   const std::string copy = temporaryPath(file_);
   ::unlink(copy.c_str());
   {
-    SqliteStatement vacuum(database_, "VACUUM INTO ?");
+    base::SqliteStatement vacuum(database_, "VACUUM INTO ?");
     vacuum.run(copy);
   }
   {
     // Not in the manifest itself: killed in between, it would be complete and have other bytes.
-    const SqliteDatabase rewritten(copy, SqliteDatabase::Mode::kExisting);
+    const base::SqliteDatabase rewritten(copy, base::SqliteDatabase::Mode::kExisting);
     rewritten.execute("PRAGMA journal_mode = MEMORY");
     rewritten.execute("UPDATE run SET value = 'complete' WHERE key = 'state'");
   }

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/sqlite.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/sqlite.h"
 #include "output/manifest/truth_tables.h"
 #include "output/output_options.h"
 #include "output/store_types.h"
@@ -28,10 +28,11 @@ struct ManifestFile {
 };
 
 /// From a row of path, writer, bytes, digest, linked_to of a manifest in this folder.
-[[nodiscard]] ManifestFile fileOf(const SqliteStatement& row, const std::string& folder);
+[[nodiscard]] ManifestFile fileOf(const base::SqliteStatement& row, const std::string& folder);
 
 /// One writer's records of a channel, in scene order.
-void forEachRecordOf(const SqliteDatabase& database, std::size_t writer, const std::string& channel,
+void forEachRecordOf(const base::SqliteDatabase& database, std::size_t writer,
+                     const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit);
 
 /// How far a scene has come. One that is left out has no files, and is complete.
@@ -118,7 +119,8 @@ class Manifest {
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:
-  Manifest(const std::string& folder, const std::optional<Shard>& shard, SqliteDatabase database);
+  Manifest(const std::string& folder, const std::optional<Shard>& shard,
+           base::SqliteDatabase database);
 
   [[nodiscard]] std::string listedPath(const std::string& path) const;
   void refuseKnown(const std::string& path);
@@ -130,15 +132,15 @@ class Manifest {
   std::string folder_;
   std::string file_;
   std::pair<std::uint64_t, std::uint64_t> identity_;  ///< device and number of the file
-  SqliteDatabase database_;
-  SqliteStatement insert_file_;
-  SqliteStatement find_file_;
-  SqliteStatement insert_scene_;
-  SqliteStatement find_scene_;
-  SqliteStatement set_state_;
-  SqliteStatement insert_object_;
-  SqliteStatement insert_record_;
-  SqliteStatement insert_warning_;
+  base::SqliteDatabase database_;
+  base::SqliteStatement insert_file_;
+  base::SqliteStatement find_file_;
+  base::SqliteStatement insert_scene_;
+  base::SqliteStatement find_scene_;
+  base::SqliteStatement set_state_;
+  base::SqliteStatement insert_object_;
+  base::SqliteStatement insert_record_;
+  base::SqliteStatement insert_warning_;
   TruthInserter truth_;
 };
 

@@ -14,25 +14,26 @@ namespace {
 constexpr int kNamed = 3;  // of many of a kind, in a line
 
 /// A database's tables as they were made.
-std::vector<std::string> schemaOf(const SqliteDatabase& database) {
-  return textsOf(database,
-                 "SELECT type || ' ' || name || ' ' || tbl_name || ' ' || coalesce(sql, '') "
-                 "FROM sqlite_master ORDER BY type, name");
+std::vector<std::string> schemaOf(const base::SqliteDatabase& database) {
+  return base::textsOf(database,
+                       "SELECT type || ' ' || name || ' ' || tbl_name || ' ' || coalesce(sql, '') "
+                       "FROM sqlite_master ORDER BY type, name");
 }
 
 /// The same without constraints other than keys: those of earlier versions are others.
-std::vector<std::string> columnsOf(const SqliteDatabase& database) {
-  return textsOf(database,
-                 "SELECT m.type || ' ' || m.name || coalesce(' ' || c.name || ' ' || c.type || ' ' "
-                 "|| c.pk, '') FROM sqlite_master m LEFT JOIN "
-                 "pragma_table_info(m.name) c ON m.type = 'table' "
-                 "WHERE m.name NOT LIKE 'sqlite_autoindex_%' ORDER BY m.type, m.name, c.cid");
+std::vector<std::string> columnsOf(const base::SqliteDatabase& database) {
+  return base::textsOf(
+      database,
+      "SELECT m.type || ' ' || m.name || coalesce(' ' || c.name || ' ' || c.type || ' ' "
+      "|| c.pk, '') FROM sqlite_master m LEFT JOIN "
+      "pragma_table_info(m.name) c ON m.type = 'table' "
+      "WHERE m.name NOT LIKE 'sqlite_autoindex_%' ORDER BY m.type, m.name, c.cid");
 }
 
 /// A column's values that are of another kind than it is declared for, or are infinite: SQLite
 /// itself takes any.
-void checkKinds(const SqliteDatabase& database, std::vector<std::string>& problems) {
-  SqliteStatement columns(
+void checkKinds(const base::SqliteDatabase& database, std::vector<std::string>& problems) {
+  base::SqliteStatement columns(
       database,
       "SELECT m.name, c.name, lower(c.type) FROM sqlite_master m JOIN pragma_table_info(m.name) c "
       "WHERE m.type = 'table' ORDER BY m.name, c.cid");
@@ -41,9 +42,10 @@ void checkKinds(const SqliteDatabase& database, std::vector<std::string>& proble
     const std::string name = columns.text(1);
     const std::string column = "\"" + name + "\"";
     const std::string kind = columns.text(2);
-    SqliteStatement wrong(database, "SELECT count(*) FROM " + table + " WHERE typeof(" + column +
-                                        ") NOT IN ('" + kind + "', 'null') OR (typeof(" + column +
-                                        ") = 'real' AND abs(" + column + ") > 1.7e308)");
+    base::SqliteStatement wrong(database, "SELECT count(*) FROM " + table + " WHERE typeof(" +
+                                              column + ") NOT IN ('" + kind +
+                                              "', 'null') OR (typeof(" + column +
+                                              ") = 'real' AND abs(" + column + ") > 1.7e308)");
     wrong.step();
     if (wrong.integer(0) == 0) continue;
     problems.push_back(table + ": " + std::to_string(wrong.integer(0)) + " values of '" + name +
@@ -55,9 +57,9 @@ void checkKinds(const SqliteDatabase& database, std::vector<std::string>& proble
   }
 }
 
-std::vector<std::string> findStructureProblems(const SqliteDatabase& database) {
+std::vector<std::string> findStructureProblems(const base::SqliteDatabase& database) {
   std::vector<std::string> problems;
-  SqliteStatement findings(database, "PRAGMA quick_check(3)");
+  base::SqliteStatement findings(database, "PRAGMA quick_check(3)");
   while (findings.step()) {
     const std::string finding = findings.text(0);
     if (finding == "ok" || finding.rfind("CHECK ", 0) == 0) continue;  // rowProblems names the rows
@@ -66,11 +68,11 @@ std::vector<std::string> findStructureProblems(const SqliteDatabase& database) {
   if (!problems.empty()) return problems;
   std::string version;
   {
-    SqliteStatement row(database, "SELECT value FROM run WHERE key = 'format_version'");
+    base::SqliteStatement row(database, "SELECT value FROM run WHERE key = 'format_version'");
     if (row.step()) version = row.text(0);
   }
   requireKnownVersion(version);
-  const SqliteDatabase empty(":memory:", SqliteDatabase::Mode::kCreate);
+  const base::SqliteDatabase empty(":memory:", base::SqliteDatabase::Mode::kCreate);
   empty.execute(kManifestTables);
   const bool is_current = version == kManifestVersion;
   if (is_current) empty.execute(kTruthTables);
@@ -83,10 +85,10 @@ std::vector<std::string> findStructureProblems(const SqliteDatabase& database) {
 }
 
 /// The run's facts one by one.
-void checkRun(const SqliteDatabase& database, const std::string& manifest,
+void checkRun(const base::SqliteDatabase& database, const std::string& manifest,
               const ManifestContent& content, std::vector<std::string>& problems) {
   std::map<std::string, std::string> facts;
-  SqliteStatement rows(database, "SELECT key, value FROM run");
+  base::SqliteStatement rows(database, "SELECT key, value FROM run");
   while (rows.step()) facts[rows.text(0)] = rows.text(1);
   const auto check = [&](const std::string& key, const std::string& right) {
     if (facts[key] == right) return;
@@ -122,7 +124,7 @@ class FewNumbers {
 };
 
 /// Whether the scenes are those of the run or its shard, all of them where it is complete.
-void checkScenes(const SqliteDatabase& database, const ManifestContent& content,
+void checkScenes(const base::SqliteDatabase& database, const ManifestContent& content,
                  std::vector<std::string>& problems) {
   const auto cameras =
       std::max<std::int64_t>(1, static_cast<std::int64_t>(content.run.cameras.size()));
@@ -139,10 +141,10 @@ void checkScenes(const SqliteDatabase& database, const ManifestContent& content,
       if (isOwn(next)) missing.add(next);
     }
   };
-  SqliteStatement rows(database,
-                       content.complete
-                           ? "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\""
-                           : "SELECT \"index\" FROM scene ORDER BY \"index\"");
+  base::SqliteStatement rows(
+      database, content.complete
+                    ? "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\""
+                    : "SELECT \"index\" FROM scene ORDER BY \"index\"");
   while (rows.step()) {
     const std::int64_t scene = rows.integer(0);
     if (!isOwn(scene)) {
@@ -175,7 +177,8 @@ void checkScenes(const SqliteDatabase& database, const ManifestContent& content,
 
 std::vector<std::string> structureProblems(const std::string& manifest) {
   try {
-    return findStructureProblems(SqliteDatabase(manifest, SqliteDatabase::Mode::kReadOnly));
+    return findStructureProblems(
+        base::SqliteDatabase(manifest, base::SqliteDatabase::Mode::kReadOnly));
   } catch (const Error& error) {
     return {"it cannot be read: " + std::string(error.what())};
   }
@@ -183,7 +186,7 @@ std::vector<std::string> structureProblems(const std::string& manifest) {
 
 std::vector<std::string> contentProblems(const std::string& manifest,
                                          const ManifestContent& content) {
-  const SqliteDatabase database(manifest, SqliteDatabase::Mode::kReadOnly);
+  const base::SqliteDatabase database(manifest, base::SqliteDatabase::Mode::kReadOnly);
   std::vector<std::string> problems;
   checkRun(database, manifest, content, problems);
   checkScenes(database, content, problems);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/sqlite.h"
 #include "output/manifest/manifest_content.h"
-#include "output/manifest/sqlite.h"
 
 /// What is wrong with a manifest itself, whatever the files are like that it lists: a line each.
 namespace synthetic_dataset::output {

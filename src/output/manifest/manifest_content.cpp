@@ -5,9 +5,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/sqlite.h"
 #include "output/manifest/manifest_paths.h"
 #include "output/manifest/row_checks.h"
-#include "output/manifest/sqlite.h"
 #include "output/manifest/truth_tables.h"
 #include "synthetic_dataset/errors.h"
 
@@ -17,24 +17,26 @@ namespace {
 constexpr std::int64_t kMostShards = 100000;  // more are none of this software's
 
 template <class Visit>
-void forEachRow(const SqliteDatabase& database, const char* sql, const Visit& visit) {
-  SqliteStatement statement(database, sql);
+void forEachRow(const base::SqliteDatabase& database, const char* sql, const Visit& visit) {
+  base::SqliteStatement statement(database, sql);
   while (statement.step()) visit(statement);
 }
 
-std::string versionOf(const SqliteDatabase& database) {
+std::string versionOf(const base::SqliteDatabase& database) {
   std::string version;
   forEachRow(database, "SELECT value FROM run WHERE key = 'format_version'",
-             [&](const SqliteStatement& row) { version = row.text(0); });
+             [&](const base::SqliteStatement& row) { version = row.text(0); });
   return version;
 }
 
-bool isCurrent(const SqliteDatabase& database) { return versionOf(database) == kManifestVersion; }
+bool isCurrent(const base::SqliteDatabase& database) {
+  return versionOf(database) == kManifestVersion;
+}
 
-void checkWholeness(const SqliteDatabase& database) {
+void checkWholeness(const base::SqliteDatabase& database) {
   std::string finding;
   forEachRow(database, "PRAGMA quick_check(1)",
-             [&](const SqliteStatement& row) { finding = row.text(0); });
+             [&](const base::SqliteStatement& row) { finding = row.text(0); });
   if (finding != "ok") {
     for (const std::string& problem : brokenRows(database)) finding += "; " + problem;
     throw Error("it is damaged: " + finding);
@@ -48,12 +50,12 @@ void checkWholeness(const SqliteDatabase& database) {
     tables.emplace_back(table);
   }
   for (const std::string& table : tables) {
-    const SqliteStatement asks(database, "SELECT 1 FROM " + table);
+    const base::SqliteStatement asks(database, "SELECT 1 FROM " + table);
   }
 }
 
-void readRun(const SqliteDatabase& database, ManifestContent& content) {
-  forEachRow(database, "SELECT key, value FROM run", [&](const SqliteStatement& row) {
+void readRun(const base::SqliteDatabase& database, ManifestContent& content) {
+  forEachRow(database, "SELECT key, value FROM run", [&](const base::SqliteStatement& row) {
     const std::string key = row.text(0);
     const std::string value = row.text(1);
     if (key == "state") content.complete = value == "complete";
@@ -72,55 +74,58 @@ void readRun(const SqliteDatabase& database, ManifestContent& content) {
     }
   });
   forEachRow(database, "SELECT count(*) FROM scene WHERE state IN ('written', 'complete')",
-             [&](const SqliteStatement& row) { content.scene_count = row.integer(0); });
+             [&](const base::SqliteStatement& row) { content.scene_count = row.integer(0); });
 }
 
-void readDescription(const SqliteDatabase& database, RunDescription& run) {
+void readDescription(const base::SqliteDatabase& database, RunDescription& run) {
   forEachRow(database, "SELECT name, value, is_default FROM setting",
-             [&](const SqliteStatement& row) {
+             [&](const base::SqliteStatement& row) {
                run.settings[row.text(0)] = {row.text(1), row.integer(2) != 0};
              });
   forEachRow(database, "SELECT name, version FROM software",
-             [&](const SqliteStatement& row) { run.software[row.text(0)] = row.text(1); });
-  forEachRow(database, "SELECT path, bytes, digest FROM input", [&](const SqliteStatement& row) {
-    run.inputs[row.text(0)] = {row.integer(1), row.text(2)};
-  });
-  forEachRow(database, "SELECT id, name FROM class ORDER BY id", [&](const SqliteStatement& row) {
-    run.classes.push_back({static_cast<int>(row.integer(0)), row.text(1)});
-  });
+             [&](const base::SqliteStatement& row) { run.software[row.text(0)] = row.text(1); });
+  forEachRow(database, "SELECT path, bytes, digest FROM input",
+             [&](const base::SqliteStatement& row) {
+               run.inputs[row.text(0)] = {row.integer(1), row.text(2)};
+             });
+  forEachRow(database, "SELECT id, name FROM class ORDER BY id",
+             [&](const base::SqliteStatement& row) {
+               run.classes.push_back({static_cast<int>(row.integer(0)), row.text(1)});
+             });
   forEachRow(database, "SELECT name, first_instant, instant_count FROM motion ORDER BY \"index\"",
-             [&](const SqliteStatement& row) {
+             [&](const base::SqliteStatement& row) {
                run.motions.push_back({row.text(0), row.integer(1), row.integer(2)});
              });
   forEachRow(database, "SELECT name, frame, width, height FROM camera ORDER BY \"index\"",
-             [&](const SqliteStatement& row) {
+             [&](const base::SqliteStatement& row) {
                run.cameras.push_back({row.text(0), row.text(1), static_cast<int>(row.integer(2)),
                                       static_cast<int>(row.integer(3))});
              });
   forEachRow(database, "SELECT name, class, id FROM object ORDER BY \"index\"",
-             [&](const SqliteStatement& row) {
+             [&](const base::SqliteStatement& row) {
                run.objects.push_back({row.text(0), static_cast<int>(row.integer(1)), row.text(2)});
              });
   forEachRow(database, "SELECT kind, detail, count FROM warning WHERE scene = -1 ORDER BY sequence",
-             [&](const SqliteStatement& row) {
+             [&](const base::SqliteStatement& row) {
                run.warnings.push_back({row.text(0), row.text(1), row.integer(2)});
              });
 }
 
-std::vector<StoreWriter> readWriters(const SqliteDatabase& database, const std::string& folder) {
+std::vector<StoreWriter> readWriters(const base::SqliteDatabase& database,
+                                     const std::string& folder) {
   std::vector<StoreWriter> writers;
   forEachRow(database, "SELECT name, type, output_folder FROM writer ORDER BY \"index\"",
-             [&](const SqliteStatement& row) {
+             [&](const base::SqliteStatement& row) {
                writers.push_back({row.text(0), row.text(1), absoluteFrom(folder, row.text(2)), {}});
              });
   return writers;
 }
 
 /// Facts that follow from others, or are one of few words.
-void checkFacts(const SqliteDatabase& database, const RunDescription& run) {
+void checkFacts(const base::SqliteDatabase& database, const RunDescription& run) {
   std::map<std::string, std::string> facts;
   forEachRow(database, "SELECT key, value FROM run",
-             [&](const SqliteStatement& row) { facts[row.text(0)] = row.text(1); });
+             [&](const base::SqliteStatement& row) { facts[row.text(0)] = row.text(1); });
   if (facts["state"] != "running" && facts["state"] != "complete") {
     throw Error("it is damaged: its state is '" + facts["state"] + "'");
   }
@@ -131,7 +136,7 @@ void checkFacts(const SqliteDatabase& database, const RunDescription& run) {
 
 }  // namespace
 
-ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::string& folder) {
+ManifestContent readWithoutFiles(const base::SqliteDatabase& database, const std::string& folder) {
   ManifestContent content;
   readRun(database, content);
   readDescription(database, content.run);
@@ -144,14 +149,14 @@ ManifestContent readWithoutFiles(const SqliteDatabase& database, const std::stri
 ManifestContent readManifest(const std::string& file, ManifestFiles files) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   try {
-    const SqliteDatabase database(file, SqliteDatabase::Mode::kExisting);
+    const base::SqliteDatabase database(file, base::SqliteDatabase::Mode::kExisting);
     database.execute("PRAGMA busy_timeout = 20000");
     requireKnownVersion(versionOf(database));
     if (files == ManifestFiles::kRead) checkWholeness(database);
     ManifestContent content = readWithoutFiles(database, folder);
     checkFacts(database, content.run);
     if (files == ManifestFiles::kLeftOut) return content;
-    forEachRow(database, "SELECT path FROM file", [&](const SqliteStatement& row) {
+    forEachRow(database, "SELECT path FROM file", [&](const base::SqliteStatement& row) {
       content.files.push_back(absoluteFrom(folder, row.text(0)));
     });
     return content;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/sqlite.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/manifest/run_description.h"
-#include "output/manifest/sqlite.h"
 #include "output/store_types.h"
 
 namespace synthetic_dataset::output {
@@ -34,7 +34,7 @@ enum class ManifestFiles { kRead, kLeftOut };
 
 /// The same of an open manifest of this version, without the list of files.
 /// @param folder  the manifest's, absolute
-[[nodiscard]] ManifestContent readWithoutFiles(const SqliteDatabase& database,
+[[nodiscard]] ManifestContent readWithoutFiles(const base::SqliteDatabase& database,
                                                const std::string& folder);
 
 /// The manifests of shards in a folder, in alphabetical order.

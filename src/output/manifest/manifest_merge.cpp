@@ -25,8 +25,8 @@ std::string copying(const std::string& table, const std::string& condition) {
 /// Another manifest of the same tables, known as `shard` to a connection.
 class Attached {
  public:
-  Attached(const SqliteDatabase& database, const std::string& file) : database_(database) {
-    SqliteStatement(database_, "ATTACH ? AS shard").run(file);
+  Attached(const base::SqliteDatabase& database, const std::string& file) : database_(database) {
+    base::SqliteStatement(database_, "ATTACH ? AS shard").run(file);
   }
   Attached(const Attached&) = delete;
   Attached& operator=(const Attached&) = delete;
@@ -39,7 +39,7 @@ class Attached {
   }
 
  private:
-  const SqliteDatabase& database_;
+  const base::SqliteDatabase& database_;
 };
 
 }  // namespace
@@ -49,7 +49,7 @@ void Manifest::takeIn(const std::string& shard_folder, const Shard& shard, const
   const std::string missing = "NOT IN (SELECT \"index\" FROM main.scene)";
   if (shard_folder == folder_) {
     // All files are in their places: one change from nothing to all.
-    SqliteTransaction transaction(database_);
+    base::SqliteTransaction transaction(database_);
     for (const std::string& table : measures()) {
       database_.execute(copying(table, "scene >= 0 AND scene " + missing));
     }
@@ -60,7 +60,7 @@ void Manifest::takeIn(const std::string& shard_folder, const Shard& shard, const
   }
   std::vector<std::int64_t> indices;
   {
-    SqliteStatement rows(
+    base::SqliteStatement rows(
         database_, "SELECT \"index\" FROM shard.scene WHERE \"index\" " + missing + " ORDER BY 1");
     while (rows.step()) indices.push_back(rows.integer(0));
   }
@@ -75,7 +75,7 @@ void Manifest::takeInSceneOf(const std::string& shard_folder, std::int64_t index
   };
   std::vector<Move> moves;
   std::vector<ManifestFile> in_place;  // of writers that have one folder for all shards
-  SqliteStatement rows(
+  base::SqliteStatement rows(
       database_, "SELECT path, writer, bytes, digest, linked_to FROM shard.file WHERE scene = ?");
   for (rows.start(index); rows.step();) {
     ManifestFile file = fileOf(rows, folder_);
@@ -87,19 +87,19 @@ void Manifest::takeInSceneOf(const std::string& shard_folder, std::int64_t index
     }
   }
   {
-    SqliteTransaction transaction(database_);
-    SqliteStatement(database_, copying("scene", "\"index\" = ?")).run(index);
+    base::SqliteTransaction transaction(database_);
+    base::SqliteStatement(database_, copying("scene", "\"index\" = ?")).run(index);
     set_state_.run(std::string("begun"), index);
     for (const Move& move : moves) insertFile(index, move.target);
     transaction.commit();
   }
   for (const Move& move : moves) place(move.source, move.target);
-  SqliteTransaction transaction(database_);
+  base::SqliteTransaction transaction(database_);
   for (const ManifestFile& file : in_place) insertFile(index, file);
   for (const std::string& table : measures()) {
-    SqliteStatement(database_, copying(table, "scene = ?")).run(index);
+    base::SqliteStatement(database_, copying(table, "scene = ?")).run(index);
   }
-  SqliteStatement state(database_, "SELECT state FROM shard.scene WHERE \"index\" = ?");
+  base::SqliteStatement state(database_, "SELECT state FROM shard.scene WHERE \"index\" = ?");
   state.start(index);
   const bool is_left_out = state.step() && state.text(0) == "left out";
   set_state_.run(std::string(is_left_out ? "left out" : "written"), index);

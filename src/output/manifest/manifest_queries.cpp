@@ -18,7 +18,7 @@ SceneState stateOf(const std::string& text) {
 
 }  // namespace
 
-ManifestFile fileOf(const SqliteStatement& row, const std::string& folder) {
+ManifestFile fileOf(const base::SqliteStatement& row, const std::string& folder) {
   ManifestFile file;
   file.path = absoluteFrom(folder, row.text(0));
   file.writer = static_cast<std::size_t>(row.integer(1));
@@ -29,16 +29,17 @@ ManifestFile fileOf(const SqliteStatement& row, const std::string& folder) {
 }
 
 bool Manifest::isSceneFile(std::size_t writer, const std::string& path) const {
-  SqliteStatement find(database_,
-                       "SELECT 1 FROM file WHERE path = ? AND writer = ? AND scene IS NOT NULL");
+  base::SqliteStatement find(
+      database_, "SELECT 1 FROM file WHERE path = ? AND writer = ? AND scene IS NOT NULL");
   find.start(listedPath(path), static_cast<std::int64_t>(writer));
   return find.step();
 }
 
-void forEachRecordOf(const SqliteDatabase& database, std::size_t writer, const std::string& channel,
+void forEachRecordOf(const base::SqliteDatabase& database, std::size_t writer,
+                     const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit) {
   const std::string heading = channel + '\n';
-  SqliteStatement records(
+  base::SqliteStatement records(
       database, "SELECT scene, text FROM record WHERE writer = ? ORDER BY scene, sequence");
   records.start(static_cast<std::int64_t>(writer));
   while (records.step()) {
@@ -56,26 +57,26 @@ void Manifest::forEachRecord(
 
 std::map<std::int64_t, SceneState> Manifest::sceneStates() const {
   std::map<std::int64_t, SceneState> states;
-  SqliteStatement rows(database_, "SELECT \"index\", state FROM scene");
+  base::SqliteStatement rows(database_, "SELECT \"index\", state FROM scene");
   while (rows.step()) states.emplace(rows.integer(0), stateOf(rows.text(1)));
   return states;
 }
 
 std::vector<ManifestFile> Manifest::filesOfScene(std::optional<std::int64_t> scene) const {
   std::vector<ManifestFile> files;
-  SqliteStatement rows(database_,
-                       "SELECT path, writer, bytes, digest, linked_to FROM file WHERE scene IS ?");
+  base::SqliteStatement rows(
+      database_, "SELECT path, writer, bytes, digest, linked_to FROM file WHERE scene IS ?");
   for (rows.start(scene); rows.step();) files.push_back(fileOf(rows, folder_));
   return files;
 }
 
 StoreCounts Manifest::counts() const {
   StoreCounts counts;
-  SqliteStatement scenes(database_,
-                         "SELECT count(*) FROM scene WHERE state IN ('written', 'complete')");
+  base::SqliteStatement scenes(database_,
+                               "SELECT count(*) FROM scene WHERE state IN ('written', 'complete')");
   scenes.step();
   counts.scenes = scenes.integer(0);
-  SqliteStatement files(
+  base::SqliteStatement files(
       database_,
       "SELECT count(*), coalesce(sum(CASE WHEN linked_to IS NULL THEN bytes ELSE 0 END), 0) "
       "FROM file");
@@ -87,14 +88,14 @@ StoreCounts Manifest::counts() const {
 
 std::map<std::string, std::int64_t> Manifest::warningCounts() const {
   std::map<std::string, std::int64_t> counts;
-  SqliteStatement rows(database_, "SELECT kind, sum(count) FROM warning GROUP BY kind");
+  base::SqliteStatement rows(database_, "SELECT kind, sum(count) FROM warning GROUP BY kind");
   while (rows.step()) counts.emplace(rows.text(0), rows.integer(1));
   return counts;
 }
 
 std::vector<ObjectCounts> Manifest::objectCounts() const {
   std::vector<ObjectCounts> counts;
-  SqliteStatement rows(
+  base::SqliteStatement rows(
       database_,
       "SELECT count(scene) FILTER (WHERE in_view), count(scene) FILTER (WHERE visible_pixels > 0), "
       "count(scene) FILTER (WHERE in_view AND dropped), count(visible_pixels), "
@@ -114,7 +115,7 @@ std::vector<ObjectCounts> Manifest::objectCounts() const {
 
 std::vector<SplitCounts> Manifest::splitCounts() const {
   std::vector<SplitCounts> counts;
-  SqliteStatement rows(
+  base::SqliteStatement rows(
       database_,
       "SELECT split, count(*), count(*) FILTER (WHERE EXISTS (SELECT 1 FROM scene_object WHERE "
       "scene = scene.\"index\" AND " +

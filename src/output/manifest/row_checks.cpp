@@ -89,18 +89,18 @@ struct Table {
   std::string row;                   ///< SQL for a text that names a row by its key
 };
 
-Table describe(const SqliteDatabase& tables, const std::string& name) {
+Table describe(const base::SqliteDatabase& tables, const std::string& name) {
   const std::string from = " FROM pragma_table_info('" + name + "') ";
   const std::string of_key = from + "WHERE pk > 0 ORDER BY pk";
   const std::string quoted = R"('"' || name || '"')";
-  Table table{name, textsOf(tables, "SELECT " + quoted + from + "ORDER BY cid"),
-              textsOf(tables, "SELECT " + quoted + of_key), ""};
+  Table table{name, base::textsOf(tables, "SELECT " + quoted + from + "ORDER BY cid"),
+              base::textsOf(tables, "SELECT " + quoted + of_key), ""};
   // "scene 3 object 0", "scene 3", or a text that says enough alone.
   if (table.key.size() > 1) {
     const std::string named = R"('''' || name || ' '' || ' || )" + quoted;
-    table.row = joined(textsOf(tables, "SELECT " + named + of_key), " || ' ' || ");
+    table.row = joined(base::textsOf(tables, "SELECT " + named + of_key), " || ' ' || ");
   } else {
-    const bool is_text = textsOf(tables, "SELECT type" + of_key)[0] == "TEXT";
+    const bool is_text = base::textsOf(tables, "SELECT type" + of_key)[0] == "TEXT";
     table.row = (is_text ? "" : "'" + name + " ' || ") + table.key[0];
   }
   return table;
@@ -109,15 +109,15 @@ Table describe(const SqliteDatabase& tables, const std::string& name) {
 /// Holds a manifest's rows against the tables of this version.
 class RowChecker {
  public:
-  explicit RowChecker(const SqliteDatabase& database)
-      : database_(database), copy_("", SqliteDatabase::Mode::kCreate) {  // a temporary file
+  explicit RowChecker(const base::SqliteDatabase& database)
+      : database_(database), copy_("", base::SqliteDatabase::Mode::kCreate) {  // a temporary file
     copy_.execute("PRAGMA journal_mode = MEMORY");
     copy_.execute("PRAGMA synchronous = OFF");
     copy_.execute(kManifestTables);
     tables_ = describeAll();
     with_constraints_ = tables_;
     const std::vector<std::string> truth =
-        textsOf(database, "SELECT 1 FROM sqlite_master WHERE name = 'scene_shape'");
+        base::textsOf(database, "SELECT 1 FROM sqlite_master WHERE name = 'scene_shape'");
     if (!truth.empty()) {
       copy_.execute(kTruthTables);  // large, and without constraints of their own
       tables_ = describeAll();
@@ -129,10 +129,11 @@ class RowChecker {
   void checkConstraints() {
     for (const Table& table : with_constraints_) {
       const std::vector<std::string> values(table.columns.size(), "?");
-      SqliteStatement insert(
+      base::SqliteStatement insert(
           copy_, "INSERT INTO " + table.name + " VALUES (" + joined(values, ", ") + ")");
-      SqliteStatement rows(database_, "SELECT " + table.row + ", " + joined(table.columns, ", ") +
-                                          " FROM " + table.name);
+      base::SqliteStatement rows(
+          database_,
+          "SELECT " + table.row + ", " + joined(table.columns, ", ") + " FROM " + table.name);
       std::map<std::string, FewRows> broken;  // by constraint
       while (rows.step()) {
         if (const auto constraint = insert.runWithRow(rows, 1)) {
@@ -147,7 +148,7 @@ class RowChecker {
 
   void checkReferences() {
     for (const Table& table : tables_) {
-      SqliteStatement references(
+      base::SqliteStatement references(
           copy_,
           "SELECT \"from\", \"table\", \"to\" FROM pragma_foreign_key_list('" + table.name + "')");
       while (references.step()) {
@@ -187,14 +188,14 @@ class RowChecker {
   [[nodiscard]] std::vector<Table> describeAll() const {
     std::vector<Table> tables;
     for (const std::string& name :
-         textsOf(copy_, "SELECT name FROM sqlite_master WHERE type = 'table'")) {
+         base::textsOf(copy_, "SELECT name FROM sqlite_master WHERE type = 'table'")) {
       tables.push_back(describe(copy_, name));
     }
     return tables;
   }
 
-  const SqliteDatabase& database_;
-  SqliteDatabase copy_;
+  const base::SqliteDatabase& database_;
+  base::SqliteDatabase copy_;
   std::vector<Table> tables_;
   std::vector<Table> with_constraints_;
   std::vector<std::string> problems_;
@@ -202,20 +203,20 @@ class RowChecker {
 
 }  // namespace
 
-std::string firstRows(const SqliteDatabase& database, const std::string& sql) {
+std::string firstRows(const base::SqliteDatabase& database, const std::string& sql) {
   FewRows few;
-  SqliteStatement rows(database, sql);
+  base::SqliteStatement rows(database, sql);
   while (rows.step()) few.add(rows.text(0));
   return few.text();
 }
 
-std::vector<std::string> brokenRows(const SqliteDatabase& database) {
+std::vector<std::string> brokenRows(const base::SqliteDatabase& database) {
   RowChecker checker(database);
   checker.checkConstraints();
   return checker.problems();
 }
 
-std::vector<std::string> rowProblems(const SqliteDatabase& database) {
+std::vector<std::string> rowProblems(const base::SqliteDatabase& database) {
   RowChecker checker(database);
   checker.checkConstraints();
   checker.checkReferences();

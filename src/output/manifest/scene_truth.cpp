@@ -37,21 +37,21 @@ std::optional<KeypointState> keypointStateOf(const std::string& text) {
   return std::nullopt;
 }
 
-Blob pointBytes(const std::vector<Eigen::Vector3d>& points) {
-  Blob blob;
+base::Blob pointBytes(const std::vector<Eigen::Vector3d>& points) {
+  base::Blob blob;
   for (const Eigen::Vector3d& point : points) {
     for (int i = 0; i < 3; ++i) appendRaw(point(i), blob.bytes);
   }
   return blob;
 }
 
-std::optional<Blob> maskBlob(const std::optional<Mask>& mask) {
-  return mask ? std::optional(Blob{maskBytes(*mask)}) : std::nullopt;
+std::optional<base::Blob> maskBlob(const std::optional<Mask>& mask) {
+  return mask ? std::optional(base::Blob{maskBytes(*mask)}) : std::nullopt;
 }
 
-std::optional<Blob> cellBytes(const std::vector<float>& cells) {
+std::optional<base::Blob> cellBytes(const std::vector<float>& cells) {
   if (cells.empty()) return std::nullopt;
-  Blob blob;
+  base::Blob blob;
   for (const float each : cells) appendRaw(each, blob.bytes);
   return blob;
 }
@@ -68,7 +68,7 @@ std::map<std::uint16_t, Mask> masksOfValues(const cv::Mat& map) {
 
 }  // namespace
 
-TruthInserter::TruthInserter(const SqliteDatabase& database)
+TruthInserter::TruthInserter(const base::SqliteDatabase& database)
     : camera_(database, "INSERT INTO scene_camera VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       frame_(database, "INSERT INTO scene_frame VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       picture_(database, "INSERT INTO scene_picture VALUES (?, ?, ?, ?)"),
@@ -109,7 +109,7 @@ void TruthInserter::insert(const SceneFacts& scene, const std::vector<PictureFac
   }
   for (const auto& [name, map] : scene.link_maps) {
     for (const auto& [value, mask] : masksOfValues(map)) {
-      link_map_.run(scene.index, name, std::int64_t{value}, Blob{maskBytes(mask)});
+      link_map_.run(scene.index, name, std::int64_t{value}, base::Blob{maskBytes(mask)});
     }
   }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -136,9 +136,9 @@ void TruthInserter::insertObject(std::int64_t scene, std::int64_t object,
 
 namespace {
 
-void readScenePictures(const SqliteDatabase& database, SceneFacts& scene) {
-  SqliteStatement rows(database,
-                       "SELECT picture, digest, cells FROM scene_picture WHERE scene = ?");
+void readScenePictures(const base::SqliteDatabase& database, SceneFacts& scene) {
+  base::SqliteStatement rows(database,
+                             "SELECT picture, digest, cells FROM scene_picture WHERE scene = ?");
   for (rows.start(scene.index); rows.step();) {
     PictureFacts facts{rows.text(0), rows.text(1), {}};
     for (RawNumbers numbers(rows.blob(2)); !numbers.isAtEnd();) {
@@ -148,9 +148,10 @@ void readScenePictures(const SqliteDatabase& database, SceneFacts& scene) {
   }
 }
 
-void readLinkMaps(const SqliteDatabase& database, SceneFacts& scene) {
+void readLinkMaps(const base::SqliteDatabase& database, SceneFacts& scene) {
   const cv::Size size(scene.width, scene.height);
-  SqliteStatement rows(database, "SELECT map, value, pixels FROM scene_link_map WHERE scene = ?");
+  base::SqliteStatement rows(database,
+                             "SELECT map, value, pixels FROM scene_link_map WHERE scene = ?");
   for (rows.start(scene.index); rows.step();) {
     const Mask mask = maskOfBytes(rows.blob(2), size);
     cv::Mat& map = scene.link_maps[rows.text(0)];
@@ -161,12 +162,12 @@ void readLinkMaps(const SqliteDatabase& database, SceneFacts& scene) {
   }
 }
 
-void readShapes(const SqliteDatabase& database, SceneFacts& scene) {
+void readShapes(const base::SqliteDatabase& database, SceneFacts& scene) {
   const cv::Size size(scene.width, scene.height);
-  SqliteStatement rows(database,
-                       "SELECT object, low_x, low_y, low_z, high_x, high_y, high_z, "
-                       "bounding_shape, silhouette_in_image, silhouette, visible_mask FROM "
-                       "scene_shape WHERE scene = ? ORDER BY object");
+  base::SqliteStatement rows(database,
+                             "SELECT object, low_x, low_y, low_z, high_x, high_y, high_z, "
+                             "bounding_shape, silhouette_in_image, silhouette, visible_mask FROM "
+                             "scene_shape WHERE scene = ? ORDER BY object");
   for (rows.start(scene.index); rows.step();) {
     const auto index = static_cast<std::size_t>(rows.integer(0));
     if (index >= scene.objects.size()) continue;
@@ -184,10 +185,11 @@ void readShapes(const SqliteDatabase& database, SceneFacts& scene) {
   }
 }
 
-void readKeypoints(const SqliteDatabase& database, SceneFacts& scene) {
-  SqliteStatement rows(database,
-                       "SELECT object, x, y, z, u, v, state FROM scene_keypoint WHERE scene = ? "
-                       "ORDER BY object, sequence");
+void readKeypoints(const base::SqliteDatabase& database, SceneFacts& scene) {
+  base::SqliteStatement rows(
+      database,
+      "SELECT object, x, y, z, u, v, state FROM scene_keypoint WHERE scene = ? "
+      "ORDER BY object, sequence");
   for (rows.start(scene.index); rows.step();) {
     const auto index = static_cast<std::size_t>(rows.integer(0));
     if (index >= scene.objects.size()) continue;
@@ -201,14 +203,14 @@ void readKeypoints(const SqliteDatabase& database, SceneFacts& scene) {
 
 }  // namespace
 
-void readTruth(const SqliteDatabase& database, SceneFacts& scene) {
-  SqliteStatement camera(database,
-                         "SELECT fx, fy, cx, cy, near, far, distortion, coefficients, "
-                         "cutoff_angle FROM scene_camera WHERE scene = ?");
+void readTruth(const base::SqliteDatabase& database, SceneFacts& scene) {
+  base::SqliteStatement camera(database,
+                               "SELECT fx, fy, cx, cy, near, far, distortion, coefficients, "
+                               "cutoff_angle FROM scene_camera WHERE scene = ?");
   camera.start(scene.index);
   if (camera.step()) scene.camera_model = cameraAt(camera, 0, scene.width, scene.height);
-  SqliteStatement frames(database,
-                         "SELECT frame, x, y, z, qx, qy, qz, qw FROM scene_frame WHERE scene = ?");
+  base::SqliteStatement frames(
+      database, "SELECT frame, x, y, z, qx, qy, qz, qw FROM scene_frame WHERE scene = ?");
   for (frames.start(scene.index); frames.step();) {
     scene.frames[frames.text(0)] = makePose(
         {frames.real(1), frames.real(2), frames.real(3)},

@@ -90,8 +90,8 @@ const std::vector<std::string>& truthTablesOfScenes() {
 
 namespace {
 
-Blob modelVertices(const ObjectModel& model) {
-  Blob blob;
+base::Blob modelVertices(const ObjectModel& model) {
+  base::Blob blob;
   for (const ObjectModel::Vertex& vertex : model.vertices) {
     for (int i = 0; i < 3; ++i) appendRaw(vertex.position(i), blob.bytes);
     for (int i = 0; i < 3; ++i) appendRaw(vertex.normal(i), blob.bytes);
@@ -100,8 +100,8 @@ Blob modelVertices(const ObjectModel& model) {
   return blob;
 }
 
-Blob modelTriangles(const ObjectModel& model) {
-  Blob blob;
+base::Blob modelTriangles(const ObjectModel& model) {
+  base::Blob blob;
   for (const ObjectModel::Triangle& triangle : model.triangles) {
     for (const std::int32_t corner : triangle) appendRaw(corner, blob.bytes);
   }
@@ -128,25 +128,25 @@ ObjectModel modelOf(double diameter, std::string vertices, std::string triangles
 
 }  // namespace
 
-void insertTruth(const SqliteDatabase& database, const RunDescription& run) {
-  SqliteStatement rate(database, "INSERT INTO motion_rate VALUES (?, ?)");
+void insertTruth(const base::SqliteDatabase& database, const RunDescription& run) {
+  base::SqliteStatement rate(database, "INSERT INTO motion_rate VALUES (?, ?)");
   for (std::size_t i = 0; i < run.motions.size(); ++i) {
     rate.run(signedIndex(i), run.motions[i].rate);
   }
-  SqliteStatement of_world(database, "INSERT INTO world_class VALUES (?, ?)");
+  base::SqliteStatement of_world(database, "INSERT INTO world_class VALUES (?, ?)");
   for (std::size_t i = 0; i < run.world_classes.size(); ++i) {
     of_world.run(signedIndex(i), run.world_classes[i]);
   }
-  SqliteStatement credit(database, "INSERT INTO credit VALUES (?, ?, ?, ?, ?)");
+  base::SqliteStatement credit(database, "INSERT INTO credit VALUES (?, ?, ?, ?, ?)");
   for (const auto& [path, named] : run.credits) {
     credit.run(path, named.author, named.author_in, named.license, named.license_in);
   }
-  SqliteStatement split(database, "INSERT INTO split VALUES (?, ?, ?)");
+  base::SqliteStatement split(database, "INSERT INTO split VALUES (?, ?, ?)");
   for (std::size_t i = 0; i < run.splits.size(); ++i) {
     split.run(signedIndex(i), run.splits[i].name, run.splits[i].scene_count);
   }
-  SqliteStatement camera(database,
-                         "INSERT INTO camera_model VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  base::SqliteStatement camera(database,
+                               "INSERT INTO camera_model VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.cameras.size(); ++i) {
     if (!run.cameras[i].model) continue;
     const CameraModel& model = *run.cameras[i].model;
@@ -155,10 +155,10 @@ void insertTruth(const SqliteDatabase& database, const RunDescription& run) {
                distortionModelName(model.distortion().model), coefficientText(model.distortion()),
                model.distortion().cutoff_angle, std::int64_t{run.cameras[i].intrinsics_vary});
   }
-  SqliteStatement keypoint(database, "INSERT INTO object_keypoint VALUES (?, ?, ?)");
-  SqliteStatement part(database, "INSERT INTO object_part VALUES (?, ?, ?)");
-  SqliteStatement line(database, "INSERT INTO object_line VALUES (?, ?, ?, ?)");
-  SqliteStatement model(database, "INSERT INTO object_model VALUES (?, ?, ?, ?, ?)");
+  base::SqliteStatement keypoint(database, "INSERT INTO object_keypoint VALUES (?, ?, ?)");
+  base::SqliteStatement part(database, "INSERT INTO object_part VALUES (?, ?, ?)");
+  base::SqliteStatement line(database, "INSERT INTO object_line VALUES (?, ?, ?, ?)");
+  base::SqliteStatement model(database, "INSERT INTO object_model VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.objects.size(); ++i) {
     const RunDescription::Object& object = run.objects[i];
     for (std::size_t k = 0; k < object.keypoint_names.size(); ++k) {
@@ -172,8 +172,8 @@ void insertTruth(const SqliteDatabase& database, const RunDescription& run) {
                signedIndex(object.skeleton[k][1]));
     }
     std::optional<double> diameter;
-    std::optional<Blob> vertices;
-    std::optional<Blob> triangles;
+    std::optional<base::Blob> vertices;
+    std::optional<base::Blob> triangles;
     if (object.model) {
       diameter = object.model->diameter;
       vertices = modelVertices(*object.model);
@@ -183,25 +183,26 @@ void insertTruth(const SqliteDatabase& database, const RunDescription& run) {
   }
 }
 
-void readTruth(const SqliteDatabase& database, RunDescription& run) {
-  SqliteStatement credits(database,
-                          "SELECT path, author, author_in, license, license_in FROM credit");
+void readTruth(const base::SqliteDatabase& database, RunDescription& run) {
+  base::SqliteStatement credits(database,
+                                "SELECT path, author, author_in, license, license_in FROM credit");
   while (credits.step()) {
     run.credits[credits.text(0)] = {credits.text(1), credits.text(2), credits.text(3),
                                     credits.text(4)};
   }
-  SqliteStatement rates(database, "SELECT motion, rate FROM motion_rate");
+  base::SqliteStatement rates(database, "SELECT motion, rate FROM motion_rate");
   while (rates.step()) {
     const auto index = static_cast<std::size_t>(rates.integer(0));
     if (index < run.motions.size()) run.motions[index].rate = rates.real(1);
   }
-  SqliteStatement of_world(database, "SELECT name FROM world_class ORDER BY \"index\"");
+  base::SqliteStatement of_world(database, "SELECT name FROM world_class ORDER BY \"index\"");
   while (of_world.step()) run.world_classes.push_back(of_world.text(0));
-  SqliteStatement splits(database, "SELECT name, scene_count FROM split ORDER BY \"index\"");
+  base::SqliteStatement splits(database, "SELECT name, scene_count FROM split ORDER BY \"index\"");
   while (splits.step()) run.splits.push_back({splits.text(0), splits.integer(1)});
-  SqliteStatement cameras(database,
-                          "SELECT camera, fx, fy, cx, cy, near, far, distortion, coefficients, "
-                          "cutoff_angle, varies FROM camera_model");
+  base::SqliteStatement cameras(
+      database,
+      "SELECT camera, fx, fy, cx, cy, near, far, distortion, coefficients, "
+      "cutoff_angle, varies FROM camera_model");
   while (cameras.step()) {
     const auto index = static_cast<std::size_t>(cameras.integer(0));
     if (index >= run.cameras.size()) continue;
@@ -209,31 +210,32 @@ void readTruth(const SqliteDatabase& database, RunDescription& run) {
     camera.model = cameraAt(cameras, 1, camera.width, camera.height);
     camera.intrinsics_vary = cameras.integer(10) != 0;
   }
-  const auto objectAt = [&](const SqliteStatement& row) {
+  const auto objectAt = [&](const base::SqliteStatement& row) {
     const auto index = static_cast<std::size_t>(row.integer(0));
     return index < run.objects.size() ? &run.objects[index] : nullptr;
   };
-  SqliteStatement keypoints(database,
-                            "SELECT object, name FROM object_keypoint ORDER BY object, sequence");
+  base::SqliteStatement keypoints(
+      database, "SELECT object, name FROM object_keypoint ORDER BY object, sequence");
   while (keypoints.step()) {
     if (auto* const object = objectAt(keypoints)) {
       object->keypoint_names.push_back(keypoints.text(1));
     }
   }
-  SqliteStatement parts(database, "SELECT object, name FROM object_part ORDER BY object, sequence");
+  base::SqliteStatement parts(database,
+                              "SELECT object, name FROM object_part ORDER BY object, sequence");
   while (parts.step()) {
     if (auto* const object = objectAt(parts)) object->part_names.push_back(parts.text(1));
   }
-  SqliteStatement lines(database,
-                        "SELECT object, first, second FROM object_line ORDER BY object, sequence");
+  base::SqliteStatement lines(
+      database, "SELECT object, first, second FROM object_line ORDER BY object, sequence");
   while (lines.step()) {
     if (auto* const object = objectAt(lines)) {
       object->skeleton.push_back(
           {static_cast<std::size_t>(lines.integer(1)), static_cast<std::size_t>(lines.integer(2))});
     }
   }
-  SqliteStatement models(database,
-                         "SELECT object, varies, diameter, vertices, triangles FROM object_model");
+  base::SqliteStatement models(
+      database, "SELECT object, varies, diameter, vertices, triangles FROM object_model");
   while (models.step()) {
     auto* const object = objectAt(models);
     if (object == nullptr) continue;

@@ -81,7 +81,8 @@ class Verification {
     const std::vector<std::string> damage = output::structureProblems(manifest);
     for (const std::string& problem : damage) listener_.problem("'" + manifest + "': " + problem);
     if (!damage.empty()) return;
-    auto dataset = std::make_unique<WrittenDataset>(manifest, SqliteDatabase::Mode::kReadOnly);
+    auto dataset =
+        std::make_unique<WrittenDataset>(manifest, base::SqliteDatabase::Mode::kReadOnly);
     const output::ManifestContent& content = dataset->content();
     const std::string state = stateProblem(content);
     if (!state.empty()) listener_.problem("'" + manifest + "': " + state);

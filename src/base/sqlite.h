@@ -9,7 +9,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace synthetic_dataset::output {
+namespace synthetic_dataset::base {
 
 /// What statements need of their database, at a place of its own: they outlive that it is moved.
 struct SqliteConnection {
@@ -27,7 +27,12 @@ struct SqliteConnection {
 /// An open SQLite file; closed when it goes out of scope.
 class SqliteDatabase {
  public:
-  enum class Mode { kCreate, kExisting, kReadOnly };
+  enum class Mode {
+    kCreate,
+    kExisting,  ///< with plain tables alone
+    kReadOnly,
+    kForeign,  ///< somebody else's, with plain tables alone: no file is changed or made beside it
+  };
 
   /// @throws Error naming the file, also in every other method and in SqliteStatement
   SqliteDatabase(const std::string& file, Mode mode);
@@ -41,10 +46,11 @@ class SqliteDatabase {
   [[nodiscard]] const SqliteConnection& connection() const { return *connection_; }
 
  private:
-  /// @throws Error for an existing file that has anything else
+  /// @throws Error for a file that has anything else
   void requireTablesOnly() const;
   void open(const std::string& name, int flags);
   void readWhereNobodyCanWrite();
+  void openForeign();
 
   std::unique_ptr<SqliteConnection> connection_;
 };
@@ -134,4 +140,4 @@ class SqliteTransaction {
   bool open_ = true;
 };
 
-}  // namespace synthetic_dataset::output
+}  // namespace synthetic_dataset::base

@@ -1,4 +1,4 @@
-#include "output/manifest/sqlite.h"
+#include "base/sqlite.h"
 
 #include <cstdint>
 #include <memory>
@@ -10,7 +10,7 @@
 #include "support/temporary_folder.h"
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::output {
+namespace synthetic_dataset::base {
 namespace sqlite_test {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST_F(Sqlite, NamesAFileThatIsNone) {
 }
 
 }  // namespace sqlite_test
-}  // namespace synthetic_dataset::output
+}  // namespace synthetic_dataset::base

@@ -1,20 +1,29 @@
-#include "output/manifest/sqlite.h"
+#include "base/sqlite.h"
 
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "synthetic_dataset/errors.h"
 
-namespace synthetic_dataset::output {
+namespace synthetic_dataset::base {
 namespace {
 
 /// Of a file, whose name may hold what would end it. https://www.sqlite.org/uri.html, section 3.1
 std::string uriOf(const std::string& file) {
-  std::string uri = "file:";
+  std::string uri = file.rfind('/', 0) == 0 ? "file://" : "file:";
   for (const char c : file) {
     uri += c == '%' ? "%25" : c == '?' ? "%3f" : c == '#' ? "%23" : std::string(1, c);
   }
   return uri;
+}
+
+bool hasContent(const std::string& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  return !error && size > 0;
 }
 
 }  // namespace
@@ -24,6 +33,10 @@ void SqliteConnection::Close::operator()(sqlite3* handle) const { sqlite3_close(
 SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)
     : connection_(std::make_unique<SqliteConnection>()) {
   connection_->file = file;
+  if (mode == Mode::kForeign) {
+    openForeign();
+    return;
+  }
   const int flags = mode == Mode::kReadOnly ? SQLITE_OPEN_READONLY
                     : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                                             : SQLITE_OPEN_READWRITE;
@@ -49,6 +62,24 @@ void SqliteDatabase::readWhereNobodyCanWrite() {
   const bool has_log = access((connection_->file + "-wal").c_str(), F_OK) == 0;
   if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is reported where it matters
   open(uriOf(connection_->file) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+}
+
+/// A write-ahead log beside it is read, with its index in memory and without locks, which need a
+/// file each. https://www.sqlite.org/wal.html, section 8; https://www.sqlite.org/vfs.html
+void SqliteDatabase::openForeign() {
+  const std::string& file = connection_->file;
+  constexpr int kLongest = 1 << 30;  // [byte] of a value
+  if (hasContent(file + "-journal")) {
+    throw Error("'" + file + "': a change of it was not finished, which is in " + file +
+                "-journal; `sqlite3 FILE .tables` takes it back");
+  }
+  const bool has_log = hasContent(file + "-wal");
+  open(uriOf(file) + (has_log ? "?vfs=unix-none" : "?immutable=1"),
+       SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  sqlite3_limit(handle(), SQLITE_LIMIT_LENGTH, kLongest);
+  sqlite3_db_config(handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  if (has_log) execute("PRAGMA locking_mode = EXCLUSIVE");
+  requireTablesOnly();
 }
 
 /// A file of somebody else's may call a view what should be a table, which never ends.
@@ -185,4 +216,4 @@ void SqliteTransaction::commit() {
   open_ = false;
 }
 
-}  // namespace synthetic_dataset::output
+}  // namespace synthetic_dataset::base
