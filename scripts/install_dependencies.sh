@@ -53,5 +53,5 @@ install_missing \
   python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg \
   libopencv-dev libeigen3-dev libbullet-dev $gl libyaml-cpp-dev \
   libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev \
-  libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev libssl-dev \
+  libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev liblz4-dev libzstd-dev libssl-dev \
   nlohmann-json3-dev libmicrohttpd-dev libgtest-dev libgmock-dev "$@"

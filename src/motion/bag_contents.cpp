@@ -294,6 +294,12 @@ BagContents readContents(const std::vector<std::string>& bag_files,
   contents.topics = bags.topics();
   std::sort(contents.topics.begin(), contents.topics.end(),
             [](const BagTopic& a, const BagTopic& b) { return a.name < b.name; });
+  for (const auto& bag : bags.bags()) {
+    const std::string kind = bag->kind();
+    const auto known = std::find(contents.kinds.begin(), contents.kinds.end(), kind);
+    if (known == contents.kinds.end()) contents.kinds.push_back(kind);
+  }
+  contents.notes = bags.notes();
   const TfTopics tf = findTfTopics(bags);
   if (!tf.note.empty()) contents.notes.push_back(tf.note);
   for (const std::string& topic : tf.ignored) {

@@ -56,6 +56,7 @@ struct RecordedDescription {
 struct BagContents {
   RecordedTimes times;
   std::vector<RecordedFrame> frames;  ///< parents before children
+  std::vector<std::string> kinds;     ///< of the bags, each once: "ROS 1", "ROS 2 (sqlite3)"
   std::vector<BagTopic> topics;       ///< by name
   std::vector<RecordedCamera> cameras;
   std::vector<RecordedDescription> descriptions;

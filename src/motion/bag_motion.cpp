@@ -58,6 +58,7 @@ std::vector<std::string> nothingToUse(const BagReader& bags, const TfTopics& tf,
 BagMotion::BagMotion(const BagMotionOptions& options) : FrameSource(options.global_frame) {
   BagReader bags(options.bag_files);
   times_ = bags.times();
+  notes_ = bags.notes();
   TransformRecording recording;
   const TfTopics tf = findTfTopics(bags, options.tf_topics);
   bags.read(tf.readers, [&](RecordedTransform each) { recording.add(std::move(each)); });

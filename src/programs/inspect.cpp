@@ -5,13 +5,13 @@
 /// Exit code 0, or 1 when a file cannot be read.
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "base/json_text.h"
 #include "base/printable_text.h"
+#include "motion/bag/bag.h"
 #include "programs/console/command_line.h"
 #include "programs/inspect/bag_report.h"
 #include "programs/inspect/server_descriptions.h"
@@ -28,9 +28,9 @@ constexpr const char* kUsage =
        inspect [--json] MODEL
        inspect --urdf BAG...
 
-Prints what there is in recordings (the frames with their rates, times and gaps, and how
-far each travels; topics; which frames look like robots and cameras; robot_description
-there and on the parameter server), in a world (models, sizes, lights, cameras) or in a
+Prints what there is in recordings, bags of ROS 1 or ROS 2 (the frames with their rates,
+times and gaps, and how far each travels; topics; which frames look like robots and
+cameras; robot_description there and on the parameter server), in a world (models, sizes, lights, cameras) or in a
 model (links and joints): an SDF, URDF or xacro file, or a folder with a model.config.
 
   --json  for programs; lengths in metres, times in seconds
@@ -38,15 +38,11 @@ model (links and joints): an SDF, URDF or xacro file, or a folder with a model.c
   --help  prints this
 
   inspect my.bag
+  inspect my_ros2_bag/
   inspect --json hall.world
 
 Exit codes: 0 done, 1 a file cannot be read.
 )";
-
-bool isBag(const std::string& name) {
-  const std::filesystem::path path(name);
-  return path.extension() == ".bag" || path.extension() == ".db3" || path.extension() == ".mcap";
-}
 
 struct Options {
   bool as_json = false;
@@ -66,8 +62,9 @@ void printUrdf(const motion::BagContents& contents) {
 
 int inspect(const std::vector<std::string>& files, const Options& options) {
   const bool as_json = options.as_json;
-  const bool are_bags = std::all_of(files.begin(), files.end(), isBag);
-  if (options.urdf && !are_bags) throw Error("--urdf: found what is no bag (.bag)");
+  const bool are_bags = std::all_of(files.begin(), files.end(), motion::isBagPath);
+  if (options.urdf && !are_bags)
+    throw Error("--urdf: found what is no bag (.bag, .db3, .mcap, or a folder of these)");
   if (are_bags) {
     const motion::BagContents contents = motion::readContents(files);
     if (options.urdf) {
@@ -81,8 +78,8 @@ int inspect(const std::vector<std::string>& files, const Options& options) {
   }
   if (files.size() > 1) {
     throw Error(
-        "found several files that are not all bags (.bag); worlds and models are inspected "
-        "one by one");
+        "found several files that are not all bags (.bag, .db3, .mcap, or a folder of these); "
+        "worlds and models are inspected one by one");
   }
   const world::Description description = programs::readForInspection(files.front());
   std::cout << (as_json ? base::jsonText(programs::worldValue(description)) + "\n"

@@ -5,17 +5,24 @@
 
 #include "motion/bag/ros1_bag.h"
 #include "motion/bag/ros2_bag.h"
+#include "motion/ros2/bag_folder.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::motion {
+
+bool isBagPath(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".bag" || hasStorageName(path) ||
+         isRos2Bag(path);
+}
 
 std::unique_ptr<Bag> openBag(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status)) throw Error("bag " + path + ": no such file");
-  if (isRos2Bag(path)) throw Error("bag " + path + ": " + convertAdvice(path));
+  if (isRos2Bag(path)) return openRos2Bag(path);
   if (std::filesystem::is_directory(status)) {
-    throw Error("bag " + path + ": is a folder; a bag file is needed");
+    throw Error("bag " + path +
+                ": is a folder; a bag file is needed, or a folder of ROS 2 with metadata.yaml");
   }
   return openRos1Bag(path);
 }

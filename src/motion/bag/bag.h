@@ -81,6 +81,9 @@ class Bag {
   /// Nothing when there are no messages.
   [[nodiscard]] virtual const std::optional<RecordedTimes>& times() const = 0;
 
+  /// "ROS 1", or "ROS 2 (mcap, zstd, 3 files)".
+  [[nodiscard]] virtual std::string kind() const = 0;
+
   /// What the user should know of it: where it breaks off, say.
   [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
 
@@ -94,6 +97,9 @@ class Bag {
   /// What mends such a bag, for behind a message: "; `rosbag reindex a.bag` mends ..."; or nothing.
   [[nodiscard]] virtual std::string advice() const { return ""; }
 };
+
+/// Whether a path may be one: it is named as bags are (.bag, .db3, .mcap), or is a bag of ROS 2.
+[[nodiscard]] bool isBagPath(const std::string& path);
 
 /// Opens a bag: a file of ROS 1, or a file or folder of ROS 2.
 /// @throws Error naming the bag: it cannot be read as one; says why and what to do about it

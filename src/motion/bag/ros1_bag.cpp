@@ -165,6 +165,8 @@ class Ros1Bag : public Bag {
     });
   }
 
+  [[nodiscard]] std::string kind() const override { return "ROS 1"; }
+
   [[nodiscard]] std::string advice() const override { return reindexAdvice(file_); }
 
  private:

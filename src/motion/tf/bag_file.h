@@ -42,6 +42,8 @@ class BagFile {
 
   [[nodiscard]] const std::vector<BagTopic>& topics() const { return bag_->topics(); }
 
+  [[nodiscard]] std::string kind() const { return bag_->kind(); }
+
   /// What the user should know of the bag.
   [[nodiscard]] std::vector<std::string> notes() const { return bag_->notes(); }
 

@@ -61,6 +61,14 @@ std::vector<BagTopic> BagReader::topics() const {
   return topics;
 }
 
+std::vector<std::string> BagReader::notes() const {
+  std::vector<std::string> notes;
+  for (const auto& bag : bags_) {
+    for (std::string& note : bag->notes()) notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
 void BagReader::read(const TopicReaders& readers, const TransformVisitor& visit) {
   std::vector<std::string> errors;
   std::vector<BagFile*> bags;

@@ -26,6 +26,9 @@ class BagReader {
   /// The topics of all bags, each pair of name and type once.
   [[nodiscard]] std::vector<BagTopic> topics() const;
 
+  /// What the user should know of the bags.
+  [[nodiscard]] std::vector<std::string> notes() const;
+
   [[nodiscard]] const std::vector<std::unique_ptr<BagFile>>& bags() const { return bags_; }
 
   /// Reads the messages of some topics.

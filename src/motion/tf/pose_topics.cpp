@@ -90,6 +90,10 @@ void PoseTopics::nameTopic(const PoseTopic& named, const std::vector<JointedRobo
       readJoints(topic.name, chosen);
       return;
     }
+    if (!topic.problem.empty()) {
+      throw Error("found '" + named.topic + "' (" + topic.type +
+                  "), which cannot be read: " + topic.problem);
+    }
     if (message == nullptr) {
       throw Error("found '" + named.topic + "', whose messages are " + topic.type +
                   "; they should be one of " + readableTypes());

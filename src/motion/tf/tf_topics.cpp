@@ -93,6 +93,11 @@ TopicReaders usualTopics(const BagReader& bags) {
       if (!isNamedTf(topic.name) || !partsOf(topic.name).space.empty()) continue;
       add(topic.name, readers);
       if (hasTransforms(topic)) continue;
+      if (!topic.problem.empty()) {
+        errors.push_back("bag " + bag->file() + ": topic " + topic.name + " (" + topic.type +
+                         ") cannot be read: " + topic.problem);
+        continue;
+      }
       errors.push_back("bag " + bag->file() + ": topic " + topic.name + " has messages of type " +
                        topic.type + " (md5sum " + topic.md5sum + "); tf2_msgs/TFMessage (md5sum " +
                        Traits::value() + ") is needed");

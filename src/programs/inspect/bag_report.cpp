@@ -82,6 +82,7 @@ std::set<std::string> rootsOf(const BagContents& contents) {
 
 std::string bagText(const BagContents& contents, const std::vector<ServerDescription>& on_server) {
   std::ostringstream out;
+  out << "kind: bag of " << base::listed(contents.kinds) << '\n';
   out << "times: " << secondsOfStamp(contents.times.start) << " s to "
       << secondsOfStamp(contents.times.end) << " s ("
       << fixed(toSeconds(contents.times.end - contents.times.start), 1) << " s)\n";
@@ -147,6 +148,7 @@ Value bagValue(const BagContents& contents, const std::vector<ServerDescription>
         Value::Map{{"parameter", Value(each.parameter)}, {"robot", Value(each.robot)}});
   }
   return Value(Value::Map{{"kind", Value("recording")},
+                          {"bags", namesValue(contents.kinds)},
                           {"start", Value(toSeconds(contents.times.start))},
                           {"end", Value(toSeconds(contents.times.end))},
                           {"frames", Value(frames)},

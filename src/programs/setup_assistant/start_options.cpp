@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/yaml_scalar.h"
+#include "motion/bag/bag.h"
 #include "programs/setup_assistant/document/settings_document.h"
 #include "programs/start/settings_draft.h"
 #include "synthetic_dataset/errors.h"
@@ -11,8 +12,6 @@ namespace synthetic_dataset::programs {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isBag(const std::string& argument) { return fs::path(argument).extension() == ".bag"; }
 
 std::uint16_t portOf(const std::string& text) {
   const auto port = base::asInteger(text);
@@ -57,7 +56,7 @@ AssistantOptions parseAssistantLine(const std::vector<std::string>& arguments) {
       options.page_folder = next();
     } else if (argument.rfind('-', 0) == 0) {
       throw Error("found '" + argument + "'; there is no such option");
-    } else if (isBag(argument)) {
+    } else if (motion::isBagPath(argument)) {
       options.bag_files.push_back(argument);
     } else if (has_file) {
       throw Error("found '" + argument + "'; one settings file is enough");
@@ -75,7 +74,7 @@ std::string assistantUsage() {
 Sets a run up in a browser: prints the page's address, and serves it until it is stopped.
 
   FILE       the settings file, by default settings.yaml; made if it is not there
-  BAG        recordings for a FILE that is made
+  BAG        recordings for a FILE that is made: .bag, .db3, .mcap, or a folder of ROS 2
   --folder   a folder that the page may read, too, beside those of FILE, of ROS packages and of
              models; once for each
   --port     by default one that is free

@@ -86,8 +86,9 @@ std::string startUsage() {
   return R"(usage: start BAG... [--world WORLD] [--model NAME=FILE ...] [--camera INFO]
              [--formats LIST] [-o FILE]
 
-Writes a settings file for a recording, with comments: the shortest that runs. What the
-recording does not say is marked with TODO, in the file and at the end.
+Writes a settings file for a recording, of ROS 1 or ROS 2, with comments: the shortest
+that runs. What the recording does not say is marked with TODO, in the file and at the
+end.
 
   --world WORLD      an SDF world; without it, a plain ground and the sun
   --model NAME=FILE  an object to label, by the name that it has in the recording

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/stages.h"
+#include "motion/bag/ros2_bag.h"
 #include "run/live/live_inputs.h"
 #include "run/live/one_scene_sink.h"
 #include "run/pictures/model_portrait.h"
@@ -141,7 +142,9 @@ const LiveRecording& LiveRun::recording() {
   if (is_known) return *impl_->recording;
   FileStamps files;
   LiveRecording read{bags, motion::readContents(bags, config.global_frame)};
-  for (const std::string& bag : bags) files.add(bag);
+  for (const std::string& bag : bags) {
+    for (const std::string& file : motion::filesOfBag(bag)) files.add(file);
+  }
   impl_->recording = std::move(read);
   impl_->recording_frame = config.global_frame;
   impl_->recording_files = files;

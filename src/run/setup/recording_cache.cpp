@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/json_text.h"
+#include "motion/bag/ros2_bag.h"
 #include "motion/bag_motion.h"
 #include "run/setup/file_stamps.h"
 #include "synthetic_dataset/value.h"
@@ -93,7 +94,9 @@ std::shared_ptr<const motion::FrameSource> RecordingCache::get(
     };
   }
   kept.recording = std::make_shared<motion::BagMotion>(watched);
-  for (const std::string& file : options.bag_files) kept.files.add(file);
+  for (const std::string& bag : options.bag_files) {
+    for (const std::string& file : motion::filesOfBag(bag)) kept.files.add(file);
+  }
   if (kept_.size() >= kMostKept) kept_.erase(kept_.begin());
   kept_.push_back(std::move(kept));
   return kept_.back().recording;

@@ -1,10 +1,12 @@
 #include "run/setup/run_record.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/image/deflate.h"
 #include "base/json_text.h"
 #include "config/settings_text.h"
+#include "motion/bag/ros2_bag.h"
 #include "output/files/digest.h"
 #include "randomize/appearance/picture_folder.h"
 #include "randomize/appearance/picture_options.h"
@@ -90,7 +92,10 @@ std::map<std::string, std::string> softwareVersions() {
 }
 
 std::set<std::string> inputsNamedBy(const config::Config& config) {
-  std::set<std::string> inputs(config.motion.bag_files.begin(), config.motion.bag_files.end());
+  std::set<std::string> inputs;
+  for (const std::string& bag : config.motion.bag_files) {
+    for (std::string& file : motion::filesOfBag(bag)) inputs.insert(std::move(file));
+  }
   for (const scene::CameraOptions& camera : config.cameras) {
     if (camera.info_file) inputs.insert(*camera.info_file);
   }

@@ -33,6 +33,7 @@ TEST(BagText, ShowsFramesAsATree) {
                         "    base_link  (20.0 Hz, 1.000 s to 2.000 s, travels in 2.00 x 0.00 x "
                         "0.00 m)\n"
                         "      lidar  (static"));
+  EXPECT_THAT(text, HasSubstr("kind: bag of ROS 1\n"));
   EXPECT_THAT(text, AllOf(HasSubstr("robot: robot, whose frame is 'base_link'"),
                           HasSubstr("  /tf  (tf2_msgs/TFMessage)")));
 }

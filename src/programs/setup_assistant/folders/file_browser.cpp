@@ -7,7 +7,10 @@
 #include <system_error>
 #include <vector>
 
+#include "motion/bag/bag.h"
+#include "motion/bag/ros2_bag.h"
 #include "programs/setup_assistant/web/http_message.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -43,6 +46,21 @@ Value rootsValue(const AllowedFolders& allowed) {
                     {"files", Value(Value::List{})}};
 }
 
+/// Of a folder of ROS 2.
+std::int64_t sizeOfBag(const std::string& folder) {
+  std::int64_t size = 0;
+  try {
+    for (const std::string& file : motion::filesOfBag(folder)) {
+      std::error_code error;
+      const auto bytes = fs::file_size(file, error);
+      if (!error) size += static_cast<std::int64_t>(bytes);
+    }
+  } catch (const Error&) {
+    return 0;  // which will be reported when it is read
+  }
+  return size;
+}
+
 std::vector<fs::directory_entry> visibleEntries(const AllowedFolders& allowed,
                                                 const fs::path& folder) {
   std::vector<fs::directory_entry> entries;
@@ -63,7 +81,7 @@ std::vector<fs::directory_entry> visibleEntries(const AllowedFolders& allowed,
 std::string kindOfFile(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".bag") return "bag";
+  if (extension == ".bag" || motion::isBagPath(file.string())) return "bag";
   if (extension == ".world") return "world";
   if (extension == ".urdf" || extension == ".xacro") return "model";
   if (extension == ".sdf") return beginsWith(file, {"<world"}) ? "world" : "model";
@@ -89,6 +107,12 @@ Value listFolder(const AllowedFolders& allowed, const std::string& folder,
     const std::string name = entry.path().filename().string();
     if (entry.is_directory(error)) {
       folders.push_back(folderValue(entry.path(), name));
+      const bool wants_bags = kinds.empty() || kinds.count("any") != 0 || kinds.count("bag") != 0;
+      if (!wants_bags || !motion::isRos2Bag(entry.path().string())) continue;
+      files.push_back(Value::Map{{"name", Value(name)},
+                                 {"path", Value(entry.path().string())},
+                                 {"size", Value(sizeOfBag(entry.path().string()))},
+                                 {"kind", Value("bag")}});
     } else if (entry.is_regular_file(error)) {
       const std::string kind = kindOfFile(entry.path());
       if (!kinds.empty() && kinds.count("any") == 0 && kinds.count(kind) == 0) continue;

@@ -16,6 +16,7 @@ namespace synthetic_dataset::programs {
 /// The folders and files in a folder, for the page, without hidden ones and those that lead out of
 /// the allowed folders.
 /// @param folder  empty: the roots
+/// A folder that is a bag of ROS 2 is among both.
 /// @param kinds  of files that are listed; empty: all
 /// @throws HttpError 403 as AllowedFolders::resolve
 [[nodiscard]] Value listFolder(const AllowedFolders& allowed, const std::string& folder,

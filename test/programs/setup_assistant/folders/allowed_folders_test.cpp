@@ -97,6 +97,17 @@ TEST(FileBrowser, ListsFilesByWhatTheyAreFor) {
             textOfListing(listFolder(two.allowed, two.mine(), {"world"}), "files"));
 }
 
+TEST(FileBrowser, AFolderOfRos2IsABagAndAFolder) {
+  const TwoFolders two;
+  two.folder.write("mine/walk/metadata.yaml", "rosbag2_bagfile_information: {}\n");
+  two.folder.write("mine/walk/walk_0.mcap", "\x89MCAP0\r\n");
+  const Value bags = listFolder(two.allowed, two.mine(), {"bag"});
+  EXPECT_EQ("walk:bag ", textOfListing(bags, "files"));
+  EXPECT_EQ("bags walk ", textOfListing(bags, "folders"));
+  EXPECT_EQ("walk_0.mcap:bag ",
+            textOfListing(listFolder(two.allowed, two.mine() + "/walk", {"bag"}), "files"));
+}
+
 TEST(FileBrowser, KnowsTheFolderAboveAsFarAsItIsAllowed) {
   const TwoFolders two;
   EXPECT_TRUE(listFolder(two.allowed, two.mine(), {}).as<Value::Map>()->at("parent").isNull());
