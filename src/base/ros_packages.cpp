@@ -1,6 +1,7 @@
 #include "base/ros_packages.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -24,6 +25,11 @@ constexpr int kDeepestFolder = 1000;
 bool isFile(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
+}
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
 }
 
 /// "${prefix}/models:${prefix}" as two folders.
@@ -128,6 +134,15 @@ class Search {
 };
 
 }  // namespace
+
+std::string rosPackagePath() {
+  std::string path = variable("ROS_PACKAGE_PATH");
+  std::istringstream prefixes(variable("AMENT_PREFIX_PATH"));
+  for (std::string prefix; std::getline(prefixes, prefix, ':');) {
+    if (!prefix.empty()) path += (path.empty() ? "" : ":") + prefix + "/share";
+  }
+  return path.empty() ? "/usr/share" : path + ":/usr/share";
+}
 
 std::vector<fs::path> installedPackages(const fs::path& entry) {
   std::set<fs::path> packages;

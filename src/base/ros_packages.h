@@ -25,6 +25,10 @@ struct RosPackages {
   std::vector<std::pair<std::filesystem::path, std::string>> broken;
 };
 
+/// ROS_PACKAGE_PATH, then the folders `share` of AMENT_PREFIX_PATH, where packages of ROS 2 are,
+/// then /usr/share, where Debian's own are: its rospack always searches there last.
+[[nodiscard]] std::string rosPackagePath();
+
 /// The folders of the packages in an entry of a ROS_PACKAGE_PATH that is the `share` folder of an
 /// install space, sorted; none for other entries. catkin installs every package to
 /// share/<package>, and most of the thousands of folders in Debian's /usr/share are not packages.

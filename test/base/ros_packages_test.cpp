@@ -1,5 +1,6 @@
 #include "base/ros_packages.h"
 
+#include <cstdlib>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -65,6 +66,16 @@ TEST(RosPackages, TellWhatTheyExportForGazebo) {
   EXPECT_THAT(found.gazebo_models,
               ElementsAre((folder / "src/worlds/models").string(), (folder / "src/").string()));
   EXPECT_THAT(found.gazebo_media, ElementsAre((folder / "src/worlds").string()));
+}
+
+TEST(RosPackages, OfRos2AreInTheSharesOfItsPrefixes) {
+  setenv("ROS_PACKAGE_PATH", "/home/me/src", 1);
+  setenv("AMENT_PREFIX_PATH", "/home/me/install:/opt/ros/jazzy", 1);
+  EXPECT_EQ(rosPackagePath(),
+            "/home/me/src:/home/me/install/share:/opt/ros/jazzy/share:/usr/share");
+  unsetenv("AMENT_PREFIX_PATH");
+  unsetenv("ROS_PACKAGE_PATH");
+  EXPECT_EQ(rosPackagePath(), "/usr/share");
 }
 
 TEST(RosPackages, AreNoneWhereThereIsNoPath) {

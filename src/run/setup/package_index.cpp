@@ -1,7 +1,6 @@
 #include "run/setup/package_index.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,24 +10,13 @@
 
 namespace synthetic_dataset::run {
 
-namespace {
-
-/// Where ROS packages are: Debian's own lie in /usr/share, which its rospack always searches last.
-std::string searchPath() {
-  const char* variable = std::getenv("ROS_PACKAGE_PATH");
-  const std::string path = variable != nullptr ? variable : "";
-  return path.empty() ? "/usr/share" : path + ":/usr/share";
-}
-
-}  // namespace
-
 struct RosPackageIndex::Found {
   std::mutex mutex;
   std::optional<base::RosPackages> packages;
 
   const base::RosPackages& get() {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (!packages) packages = base::findRosPackages(searchPath());
+    if (!packages) packages = base::findRosPackages(base::rosPackagePath());
     return *packages;  // not changed any more
   }
 };

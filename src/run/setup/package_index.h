@@ -8,8 +8,8 @@
 
 namespace synthetic_dataset::run {
 
-/// The ROS packages of ROS_PACKAGE_PATH, which are looked for when they are first asked for. Copies
-/// share what was found, and threads may share copies.
+/// The ROS packages of ROS_PACKAGE_PATH and AMENT_PREFIX_PATH, which are looked for when they are
+/// first asked for. Copies share what was found, and threads may share copies.
 class RosPackageIndex {
  public:
   RosPackageIndex();

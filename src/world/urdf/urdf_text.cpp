@@ -43,7 +43,8 @@ std::optional<std::string> resolved(const std::string& substitution) {
   const std::string rest = trimmed(substitution.substr(space));
   const std::size_t end = std::min(rest.find(' '), rest.size());
   const std::string name = rest.substr(0, end);
-  if (command == "find" && end == rest.size()) return "package://" + name;
+  const bool finds = command == "find" || command == "find-pkg-share";  // of ROS 1 and of ROS 2
+  if (finds && end == rest.size()) return "package://" + name;
   if (command != "env" && command != "optenv") return std::nullopt;
   if (const char* value = std::getenv(name.c_str())) return std::string(value);
   if (command == "env") return std::nullopt;

@@ -23,7 +23,8 @@ struct UrdfText {
 };
 
 /// Resolves what roslaunch and xacro may have left: `$(optenv NAME default)` and `$(env NAME)`
-/// from the environment, `$(find package)` as `package://package`. An attribute with anything else
+/// from the environment, `$(find package)` and
+/// `$(find-pkg-share package)` as `package://package`. An attribute with anything else
 /// of the kind is left out, and noted. Blocks of other programs (<gazebo>, <transmission>, ...) go;
 /// of Gazebo's the links' materials are kept.
 /// A material that is defined nowhere goes too, and is noted.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "base/ros_packages.h"
 #include "base/sandbox/sandboxed_program.h"
 #include "synthetic_dataset/errors.h"
 #include "world/files/text.h"
@@ -16,7 +18,8 @@ namespace {
 
 constexpr int kNotThere = 127;  ///< how programs end that are not there
 
-/// xacro's own program, which its Python module has as a function.
+/// xacro's own program, which its Python module has as a function. What ROS 2 calls
+/// `$(find-pkg-share package)` is `$(find package)` to it.
 constexpr const char* kModule =
     "import sys\n"
     "try:\n"
@@ -24,6 +27,11 @@ constexpr const char* kModule =
     "except ImportError:\n"
     "    sys.exit(127)\n"
     "sys.argv[0] = 'xacro'\n"
+    "evaluate = getattr(xacro, 'eval_extension', None)\n"
+    "def evaluated(text):\n"
+    "    return evaluate(text.replace('$(find-pkg-share ', '$(find ', 1))\n"
+    "if evaluate is not None:\n"
+    "    xacro.eval_extension = evaluated\n"
     "xacro.main()\n";
 
 /// Robots take a second or two.
@@ -59,6 +67,9 @@ std::string lastLines(const std::string& text) {
 std::optional<std::string> run(std::vector<std::string> command,
                                const std::vector<std::string>& words) {
   command.insert(command.end(), words.begin(), words.end());
+  if (std::getenv("AMENT_PREFIX_PATH") != nullptr) {  // so that packages of ROS 2 are found
+    command.insert(command.begin(), {"env", "ROS_PACKAGE_PATH=" + base::rosPackagePath()});
+  }
   base::SandboxLimits limits;
   limits.processor_time = kLongest;
   const auto answer = base::runSandboxedProgram(command, limits);
@@ -80,9 +91,17 @@ bool isXacro(const std::filesystem::path& file) { return file.extension() == ".x
 
 std::string expandXacro(const std::filesystem::path& file, const XacroArguments& arguments) {
   const std::vector<std::string> words = commandLine(file, arguments);
+  const auto runModule = [&] { return run({"python3", "-c", kModule}, words); };
   try {
-    if (auto text = run({"xacro"}, words)) return *text;
-    if (auto text = run({"python3", "-c", kModule}, words)) return *text;
+    try {
+      if (auto text = run({"xacro"}, words)) return *text;
+    } catch (const Error& error) {
+      const bool is_of_ros2 = std::string(error.what()).find("find-pkg-share") != std::string::npos;
+      const auto text = is_of_ros2 ? runModule() : std::nullopt;
+      if (!text) throw;
+      return *text;
+    }
+    if (auto text = runModule()) return *text;
   } catch (const Error& error) {
     throw Error(file.string() + ": " + error.what());
   }

@@ -87,6 +87,30 @@ TEST_F(Xacro, TellsHowToGetItWhereThereIsNone) {
                         HasSubstr("'prefix:=a b'"), HasSubstr("> robot.urdf"))));
 }
 
+TEST_F(Xacro, KnowsWhatRos2CallsAPackagesFolder) {
+  install("echo \"Unknown substitution command [find-pkg-share arm]\" >&2; exit 2");
+  (void)folder_.write("python/xacro.py",
+                      "def eval_extension(text):\n"
+                      "    return text.replace('$(find arm)', 'shoulder')\n"
+                      "def main():\n"
+                      "    name = eval_extension('$(find-pkg-share arm)')\n"
+                      "    print(\"<robot name='r'><link name='%s'/></robot>\" % name)\n");
+  setenv("PYTHONPATH", (folder_ / "python").c_str(), 1);
+  WorldLoader loader(finder_);
+  const Model model = loader.loadModel(file_.string(), "alpha");
+  unsetenv("PYTHONPATH");
+  EXPECT_EQ(model.links.at(0).name, "shoulder");
+}
+
+TEST_F(Xacro, IsGivenThePackagesOfRos2) {
+  setenv("AMENT_PREFIX_PATH", "/opt/jazzy", 1);
+  install("echo \"<robot name='r'><link name='${ROS_PACKAGE_PATH##*:/opt}'/></robot>\"");
+  WorldLoader loader(finder_);
+  const Model model = loader.loadModel(file_.string(), "alpha");
+  unsetenv("AMENT_PREFIX_PATH");
+  EXPECT_THAT(model.links.at(0).name, HasSubstr("/jazzy/share:/usr/share"));
+}
+
 TEST_F(Xacro, IsEndedWhereItCrashes) {
   install("kill -SEGV $$");
   EXPECT_THAT(messagesOf([&] { (void)expandXacro(file_, {}); }),
