@@ -10,8 +10,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 #include "base/sqlite.h"
+#include "motion/ros2_bags.h"
 #include "output/manifest/manifest_schema.h"
-
 #include "output/manifest/truth_tables.h"
 
 namespace {
@@ -61,6 +61,20 @@ void writeBag(const fs::path& file, rosbag::CompressionType compression) {
   bag.write("/camera_info", ros::Time(100.0), calibration());
   bag.write("/map", ros::Time(100.0), map());
   for (const double x : {0.0, 1.0, 2.0}) bag.write("/tf", ros::Time(100.0 + x), transforms(x));
+}
+
+void writeRos2Bags(const fs::path& folder) {
+  using namespace synthetic_dataset::motion;
+  const TestBag bag = drivingBag();
+  const auto write = [&](const char* name, const std::string& content) {
+    std::ofstream(folder / name, std::ios::binary) << content;
+  };
+  write("plain.mcap", mcapOf(bag, {0}));
+  write("chunks.mcap", mcapOf(bag, {2, "", true, true, false}));
+  write("zstd.mcap", mcapOf(bag, {2, "zstd", true, false, false}));
+  write("lz4.mcap", mcapOf(bag, {2, "lz4", false, true, false}));
+  fs::remove(folder / "a.db3");
+  writeSqlite(folder / "a.db3", bag);
 }
 
 template <class Message>
@@ -149,12 +163,17 @@ int main(int count, char** arguments) {
     return 1;
   }
   const fs::path folder = arguments[1];
-  for (const char* target : {"bag", "message", "picture", "manifest"}) {
+  for (const char* target : {"bag", "ros2_bag", "cdr", "message", "picture", "manifest"}) {
     fs::create_directories(folder / target);
   }
   writeBag(folder / "bag/plain.bag", rosbag::compression::Uncompressed);
   writeBag(folder / "bag/bz2.bag", rosbag::compression::BZ2);
   writeBag(folder / "bag/lz4.bag", rosbag::compression::LZ4);
+  writeRos2Bags(folder / "ros2_bag");
+  using namespace synthetic_dataset::motion;
+  std::ofstream(folder / "cdr/transform", std::ios::binary)
+      << '\0' << cdrTransform("map", "robot", std::chrono::seconds(1), 1.0);
+  std::ofstream(folder / "cdr/definition", std::ios::binary) << '\7' << kTransformsDefinition;
   writeMessage(folder / "message/transforms", transforms(1.0));
   writeMessage(folder / "message/calibration", calibration());
   writeMessage(folder / "message/map", map());
