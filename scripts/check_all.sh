@@ -28,6 +28,7 @@ stages=(
   'page       | ^src/programs/setup_assistant/|^src/run/live/|^test/setup_assistant/ | test_setup_page.sh'
   'egl        | ^src/render/gl/|^cmake/ | test_egl.sh'
   'twin       | ^src/(motion|scene|label)/|^test/twin/ | test_twin.sh'
+  'ros2       | ^src/motion/(bag|ros2)/|^test/ros2/ | test_ros2_bags.sh'
   'faults     | ^src/(output|run)/|^test/faults/ | test_faults.sh --trials 10'
   'soak       | ^src/(output|run)/|^test/faults/ | soak.sh 20000'
   'slurm      | ^scripts/slurm/|^test/slurm/|^src/programs/(merge|generate) | test_slurm.sh'

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Loads datasets of every format with the formats' own loaders and compares with the truth, converts bags of ROS 2, and
+# Loads datasets of every format with the formats' own loaders and compares with the truth, reads bags of ROS 2, and
 # runs the programs in docs/python.md:
 #   ./scripts/test_loaders.sh [FOLDER [FORMAT...]]
 # FOLDER keeps the datasets; without it they are removed. The loaders are installed once, into a

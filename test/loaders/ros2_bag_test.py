@@ -1,15 +1,11 @@
-"""Bags of ROS 2: what `generate` says of one makes a bag of it from which it makes a dataset."""
+"""Bags of ROS 2, written by rosbags as ROS 2 Humble has their types, become datasets."""
 import pathlib
-import re
-import shlex
 import sqlite3
 import subprocess
-import sys
 import tempfile
 import unittest
 
 import numpy
-import rosbag
 from rosbags.rosbag2 import Writer
 from rosbags.rosbag2.enums import StoragePlugin
 from rosbags.typesys import Stores, get_typestore
@@ -103,17 +99,6 @@ class Ros2BagTest(unittest.TestCase):
         return subprocess.run(['rosrun', 'synthetic_dataset', 'generate', '--config', settings],
                               capture_output=True, text=True, check=False)
 
-    def convert_as_told(self, bag):
-        """Runs the command of the message about a bag; returns the bag that it makes."""
-        refused = self.generate(bag)
-        self.assertEqual(refused.returncode, 1, refused.stdout)
-        text = refused.stdout + refused.stderr
-        command = shlex.split(re.search(r'`(rosbags-convert [^`]*)`', text).group(1))
-        made = command[command.index('--dst') + 1]
-        program = pathlib.Path(sys.executable).parent / command[0]
-        subprocess.run([program] + command[1:], check=True)
-        return made
-
     def check(self, plugin, moving, of_file):
         with tempfile.TemporaryDirectory() as name:
             self.folder = pathlib.Path(name)
@@ -122,10 +107,7 @@ class Ros2BagTest(unittest.TestCase):
             write_bag(bag, plugin, moving)
             if of_file:
                 bag = next(file for file in bag.iterdir() if file.suffix in ('.db3', '.mcap'))
-            made = self.convert_as_told(bag)
-            with rosbag.Bag(made) as converted:
-                self.assertEqual(converted.get_message_count(), 2 * COUNT)
-            done = self.generate(made)
+            done = self.generate(bag)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             manifest = sqlite3.connect(self.folder / 'out' / 'manifest.sqlite')
             poses = manifest.execute('SELECT stamp_ns, scene_object.x FROM scene JOIN scene_object '

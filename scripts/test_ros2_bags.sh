@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Makes datasets of bags of ROS 2 that are conversions of the example's bags, of each kind of storage and compression,
+# and compares all their bytes with those of the ROS 1 bags; with --times, also how long an hour of TF takes:
+#   ./scripts/test_ros2_bags.sh [--times] [FOLDER]
+# FOLDER keeps bags and datasets; without it they are removed. rosbags is installed once, into a virtual environment
+# below ~/.cache; after that no network is needed.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=workspace.sh
+source "$here/workspace.sh"
+environment=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset/ros2
+requirements=$repository/test/ros2/requirements.txt
+
+"$here/install_dependencies.sh" python3-venv python3-rosbag
+if ! cmp -s "$requirements" "$environment/complete"; then
+  rm -rf "$environment"
+  /usr/bin/python3 -m venv --system-site-packages "$environment"
+  "$environment/bin/pip" --disable-pip-version-check install -q --no-deps -r "$requirements"
+  cp "$requirements" "$environment/complete"
+fi
+
+build_workspace --target generate --target inspect --target synthetic_dataset_writers
+use_workspace
+"$environment/bin/python" "$repository/test/ros2/conversions.py" "$@"
