@@ -19,6 +19,6 @@ if ! cmp -s "$requirements" "$environment/complete"; then
   cp "$requirements" "$environment/complete"
 fi
 
-build_workspace --target generate --target inspect --target synthetic_dataset_writers
+build_workspace --target generate --target synthetic_dataset_inspect --target synthetic_dataset_writers
 use_workspace
 "$environment/bin/python" "$repository/test/ros2/conversions.py" "$@"

@@ -94,10 +94,13 @@ def generate(folder, settings, bags):
     folder.mkdir(parents=True)
     text = settings.format(config=REPOSITORY / 'config')
     text += 'bag_file: [' + ', '.join(f'"{bag}"' for bag in bags) + ']\n'
-    text += f'output_folder: {folder / "dataset"}\n'
+    # The same for all, as Darknet's lists name files by their whole paths.
+    made = folder.parents[1] / 'made'
+    text += f'output_folder: {made}\n'
     (folder / 'settings.yaml').write_text(text, 'utf-8')
     subprocess.run([program('generate'), '--config', folder / 'settings.yaml'], check=True,
                    stdout=subprocess.DEVNULL)
+    made.rename(folder / 'dataset')
     return folder / 'dataset'
 
 
@@ -130,7 +133,10 @@ def differences(first, other, bags, other_bags):
 
 def check_datasets(folder):
     worlds = REPOSITORY / 'worlds'
-    sources = {name: worlds / f'{name}.bag' for name in ('example', 'example_pictures')}
+    # Copied, as a dataset has the credits of what lies beside its inputs.
+    sources = {name: folder / f'{name}.bag' for name in ('example', 'example_pictures')}
+    for name, copy in sources.items():
+        shutil.copy(worlds / f'{name}.bag', copy)
     sources['clouds'] = folder / 'clouds.bag'
     write_cloud(sources['clouds'], sources['example_pictures'])
     bags = {kind: {} for kind in [*KINDS, 'split']}
