@@ -40,9 +40,9 @@ RUNS = {
     'riding_camera': 'include: {config}/example.yaml\nsimulated_rate: 1.0\n'
                      'camera_frame_id: rover_2/base_link\n',
     'recorded_pictures': 'include: {config}/example_twin.yaml\n',
-    'cloud': 'include: {config}/example_twin.yaml\n'
-             'camera: {{info_file: ~, info_topic: /camera/color/camera_info}}\n'
-             'twin: {{depth_topic: ~, cloud_topic: /lidar/points}}\n',
+    'cloud': 'include: {config}/example.yaml\n'
+             'camera: {{image_topic: /camera/color/image_raw/compressed, time_offset: -0.037}}\n'
+             'twin: {{cloud_topic: /lidar/points}}\n',
 }
 # What says which files were read, and when.
 INPUTS = {'input': None, 'setting': "name NOT LIKE 'bag_file%'", 'run': "key NOT LIKE '%digest%'"}
