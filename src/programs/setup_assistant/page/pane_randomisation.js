@@ -4,8 +4,6 @@ import {choiceField, fileField, fileListField, flowField, numberField, section, 
 import {answer, askAgain, effective, objectNames, own, set} from './store.js';
 import {currentCamera} from './view_state.js';
 
-const PRESET = '$(find synthetic_dataset)/config/randomize_default.yaml';
-
 export const randomisationPane = {
   id: 'randomisation',
   title: 'Randomisation',
@@ -20,7 +18,7 @@ const root = (...rest) => ['randomize', ...rest];
 function draw() {
   return [
     draws(),
-    presets(),
+    preset(),
     section('Light', lights(), light()),
     section('Surfaces', surfaces()),
     section(
@@ -81,21 +79,20 @@ function switchFor(path, label, isOn, change, hint) {
       hint ? h('p', {class: 'hint'}, hint) : null);
 }
 
-function presets() {
+// Settings have the preset themselves, or include config/randomize_default.yaml.
+function usePreset(isOn) {
+  set(root('preset'), isOn ? 'transfer' : undefined);
   const includes = [].concat(own(['include']) ?? []);
-  const isDefault = (each) => String(each).includes('randomize_default');
-  const put = (list) => set(['include'], list.length === 0 ? undefined : list.length === 1 ? list[0] : list);
-  return [
-    switchFor(
-        root('preset'), 'For networks that are to work on photographs', effective(root('preset')) === 'transfer',
-        (isOn) => set(root('preset'), isOn ? 'transfer' : undefined),
-        'Other light, paint, backgrounds and wear in each scene; without a world also rooms, clutter and cameras. What is ' +
-            'set here overrides it.'),
-    switchFor(
-        ['include'], 'Begin with light, paint and sensor that suit any world', includes.some(isDefault),
-        (isOn) => put(isOn ? [...includes, PRESET] : includes.filter((each) => !isDefault(each))),
-        'config/randomize_default.yaml is included; what is set here overrides it.'),
-  ];
+  const others = includes.filter((each) => !String(each).includes('randomize_default'));
+  if (isOn || others.length === includes.length) return;
+  set(['include'], others.length > 1 ? others : others[0]);
+}
+
+function preset() {
+  return switchFor(
+      root('preset'), 'For networks that are to work on photographs', effective(root('preset')) === 'transfer', usePreset,
+      'Other light, paint, backgrounds, clutter and wear in each scene; without a world also rooms and cameras. What is ' +
+          'set here overrides it.');
 }
 
 // Entries of groups by name: every light, or one alone.
