@@ -90,7 +90,8 @@ function usePreset(isOn) {
 
 function preset() {
   return switchFor(
-      root('preset'), 'For networks that are to work on photographs', effective(root('preset')) === 'transfer', usePreset,
+      root('preset'), 'For networks that are to work on photographs', effective(root('preset')) === 'transfer',
+      usePreset,
       'Other light, paint, backgrounds, clutter and wear in each scene; without a world also rooms and cameras. What is ' +
           'set here overrides it.');
 }
