@@ -11,7 +11,6 @@
 #include "base/yaml_value.h"
 #include "config/config.h"
 #include "config/settings_file.h"
-#include "run/setup/model_colours.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
@@ -196,12 +195,6 @@ double sizeOf(const world::Model& model) {
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// What of the objects the surroundings follow.
-struct ObjectLook {
-  double size = 1.0;    ///< of the largest [m]
-  Value::List colours;  ///< that stand out, as settings have them
-};
-
 const world::Model& modelOf(const scene::ObjectOptions& object, WorldFiles& files) {
   if (object.model) return files.model(*object.model, object.name, object.model_arguments);
   const std::vector<world::Model>& models = files.world().models;
@@ -212,27 +205,18 @@ const world::Model& modelOf(const scene::ObjectOptions& object, WorldFiles& file
   return *found;
 }
 
-/// Of all objects whose models can be read; what is wrong with others is said when they are loaded.
-ObjectLook lookOfObjects(const config::Config& config, InputCache& inputs) {
+/// Of the largest object [m]; what is wrong with models is said when they are loaded.
+double largestSize(const config::Config& config, InputCache& inputs) {
   WorldFiles& files = inputs.worlds.filesFor(config.world);
-  ObjectLook look;
   double largest = 0.0;
   for (const scene::ObjectOptions& object : config.objects) {
     try {
-      const world::Model& model = modelOf(object, files);
-      largest = std::max(largest, sizeOf(model));
-      for (const Eigen::Vector3d& each : strikingColours(model)) {
-        const Value colour(Value::List{each.x(), each.y(), each.z()});
-        const bool is_new =
-            std::find(look.colours.begin(), look.colours.end(), colour) == look.colours.end();
-        if (is_new) look.colours.push_back(colour);
-      }
+      largest = std::max(largest, sizeOf(modelOf(object, files)));
     } catch (const Error&) {
       continue;
     }
   }
-  if (largest > 0.0) look.size = largest;
-  return look;
+  return largest > 0.0 ? largest : 1.0;
 }
 
 /// How many objects there are in a scene: none in one of five, and few more often than many, as
@@ -339,20 +323,19 @@ ExpandedPreset expandPreset(const Value& settings, InputCache& inputs) {
   config::overlay(measured, own);
   measured.erase("randomize");
   const config::Config config = config::readConfig(Parameters(Value(measured)));
-  const ObjectLook look = lookOfObjects(config, inputs);
+  const double size = largestSize(config, inputs);
   const std::size_t objects = std::max<std::size_t>(config.robotCount(), 1);
   Value::Map& randomize = *groupIn(expanded, "randomize");
-  if (!look.colours.empty()) (*groupIn(randomize, "distractors"))["colours"] = Value(look.colours);
   const bool counts = isPlaced(own) && !saysWhatIsPresent(own);
   if (counts) randomize["object_count"] = countOf(objects);
   ExpandedPreset result;
   if (surroundings.empty()) {
-    scaleLengths(expanded.at("motions"), look.size);
+    scaleLengths(expanded.at("motions"), size);
     widenPlacements(expanded, objects);
     if (counts) fillRows(expanded, objects);
     overlayMotions(expanded, own);
   } else {
-    scaleLengths(expanded.at("randomize"), look.size);
+    scaleLengths(expanded.at("randomize"), size);
     const bool has_pictures = hasRecordedPictures(own);
     if (has_pictures) randomize.erase("distractors");
     result.notes.push_back(
