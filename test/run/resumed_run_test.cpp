@@ -19,6 +19,7 @@ using test::StoppingReporter;
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Key;
 
 class ResumedRunTest : public ::testing::Test {
  protected:
@@ -51,7 +52,7 @@ TEST_F(ResumedRunTest, SaysTheSameOfAPropThatHasFallenOutOfTheWorld) {
                 "<gravity>0 0 -60</gravity><model name=\"ball\"><pose>30 30");
   std::ofstream(run.input("tiny.world")) << world;
   const RunSummary whole = run.run();
-  EXPECT_THAT(whole.warnings, Contains(HasSubstr("'ball' has fallen out of the world")));
+  EXPECT_THAT(whole.warnings, Contains(Key(HasSubstr("'ball' has fallen out of the world"))));
   const auto& unbroken = run.unbroken();
   fs::remove_all(run.folder());
   stopAfter(13);
