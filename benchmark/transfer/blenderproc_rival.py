@@ -16,8 +16,8 @@ shell around them that look at one of them, Cycles with 50 samples, and Intel's 
   from pictures of different ones.
 - The lens and the size are those of settings.py.
 
-The time is that of the process with all its threads and children, from its start. When it cannot be enough for another
-picture, the program ends and prints what it has made, as JSON. The interpreter needs
+The time is that of the process with all its threads and children, from its start. When what is left is less than what a
+picture takes on average, the program ends and prints what it has made, as JSON. The interpreter needs
 benchmark/speed/blenderproc_requirements.txt.
 """
 import argparse
@@ -195,8 +195,8 @@ def main():
     scene = Scene(arguments.mesh)
     # It numbers the objects that there are.
     bproc.renderer.enable_segmentation_output(map_by=['category_id', 'instance'], default_values={'category_id': 0})
-    starting = began = processor_seconds()
-    made, cameras, dearest = 0, arguments.cameras, 0
+    starting = processor_seconds()
+    made, cameras = 0, arguments.cameras
     while cameras > 0:
         scene.arrange()
         scene.add_cameras(cameras)
@@ -205,8 +205,7 @@ def main():
             write(arguments.folder, made, *each)
             made += 1
         now = processor_seconds()
-        dearest, began = max(dearest, (now - began) / cameras), now
-        cameras = min(arguments.cameras, int((arguments.processor_seconds - now) / dearest))
+        cameras = min(arguments.cameras, int((arguments.processor_seconds - now) / ((now - starting) / made)))
     print(json.dumps({'pictures': made, 'starting': starting, 'processor_seconds': processor_seconds(),
                       'version': bproc.__version__, 'blender': bpy.app.version_string}), flush=True)
     os._exit(0)  # Blender as a module crashes as it is unloaded
