@@ -49,7 +49,11 @@ class SupervisionTest(LoaderCase):
                                                     str(folder / 'data.yaml'), force_masks=True)
             masks = {pathlib.Path(path).stem: detections.mask for path, _, detections in dataset}
             for scene in truth.scenes:
-                for each, mask in zip(scene.labelled, masks[scene.flat_name]):
+                found_masks = masks[scene.flat_name]
+                if found_masks is None:
+                    self.assertEqual(scene.labelled, [], scene.name)
+                    continue
+                for each, mask in zip(scene.labelled, found_masks):
                     parts, _ = cv2.connectedComponents(each.visible.astype(np.uint8))
                     if parts != 2 or np.count_nonzero(each.visible) < 300:
                         continue
