@@ -1,8 +1,11 @@
 #include "config/readers.h"
 
+#include <glob.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -88,6 +91,35 @@ bool hasPictures(Parameters& root) {
   });
 }
 
+/// The files of a pattern such as `/data/walk_*.bag`, in the order of their names; of a name that
+/// is none, or that a file has, the file.
+std::vector<std::string> matching(const std::string& path) {
+  if (path.find_first_of("*?[") == std::string::npos || std::filesystem::exists(path)) {
+    return {path};
+  }
+  glob_t found{};
+  std::vector<std::string> files;
+  if (glob(path.c_str(), GLOB_NOSORT, nullptr, &found) == 0) {
+    files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  }
+  globfree(&found);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> bagsNamed(Parameters& root, const std::vector<std::string>& names) {
+  std::vector<std::string> bags;
+  for (const std::string& name : names) {
+    const std::vector<std::string> files = matching(absolutePath(name));
+    if (files.empty()) {
+      root.addError("bag_file", "found no bag like '" + name +
+                                    "'; it should name a file, or a pattern that some have");
+    }
+    bags.insert(bags.end(), files.begin(), files.end());
+  }
+  return bags;
+}
+
 }  // namespace
 
 motion::MotionOptions readMotion(Parameters& root) {
@@ -110,7 +142,7 @@ motion::MotionOptions readMotion(Parameters& root) {
   if (isEmptyList(root, "bag_file")) {
     root.addError("bag_file", "found an empty list; it should name at least one bag");
   }
-  for (std::string& file : motion.bag_files) file = absolutePath(file);
+  motion.bag_files = bagsNamed(root, motion.bag_files);
   // Scenes at the times of pictures have no rate that anybody sets.
   if (root.has("simulated_rate") || !hasPictures(root)) {
     motion.rate = numberAbove(root, "simulated_rate", motion.rate, 0.0);

@@ -1,6 +1,8 @@
 #include "config/config.h"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <chrono>
@@ -251,6 +253,22 @@ TEST(ReadConfig, PlacementMayHaveABagToo) {
   const Reading reading(plus(kPlaced));
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   EXPECT_THAT(reading.config.motion.bag_files, ElementsAre("/data/run.bag"));
+}
+
+TEST(ReadConfig, TakesABagForEachFileOfAPattern) {
+  const std::string folder = ::testing::TempDir() + "bags_by_pattern";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"walk_2.bag", "walk_1.bag", "run.bag"}) {
+    std::ofstream(folder + "/" + name).put('\n');
+  }
+  const Reading reading(with("bag_file: /data/run.bag\n",
+                             "bag_file: [" + folder + "/walk_*.bag, " + folder + "/run.bag]\n"));
+  EXPECT_THAT(reading.root.errors(), IsEmpty());
+  EXPECT_THAT(reading.config.motion.bag_files,
+              ElementsAre(folder + "/walk_1.bag", folder + "/walk_2.bag", folder + "/run.bag"));
+  const Reading none(with("bag_file: /data/run.bag\n", "bag_file: /nowhere/*.bag\n"));
+  EXPECT_THAT(none.root.errors(),
+              Contains(HasSubstr("bag_file: found no bag like '/nowhere/*.bag'")));
 }
 
 TEST(ReadConfig, PropsComeToRestBeforeObjectsArePlaced) {
