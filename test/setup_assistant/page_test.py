@@ -112,10 +112,10 @@ class SettingsFile(WithPage):
         self.page.wait(lambda: self.file.read_text('utf-8') == text, 'the text to be written back')
 
     def test_is_the_same_in_two_pages(self):
-        first = self.driver.current_window_handle
+        first, address = self.driver.current_window_handle, self.driver.current_url
         self.driver.switch_to.new_window('tab')
         second = self.driver.current_window_handle
-        self.page.open(self.driver.current_url)
+        self.page.open(address)
         self.page.type('simulated_rate', '2.5')
         self.driver.switch_to.window(first)
         self.page.wait(lambda: self.page.input('simulated_rate').get_attribute('value') == '2.5', 'the first page')

@@ -1,12 +1,12 @@
 #include "motion/ros2/decompression.h"
 
 #include <lz4frame.h>
-#include <stdlib.h>
 #include <unistd.h>
 #include <zstd.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -35,6 +35,7 @@ using Decompressor = std::function<Step(std::string_view from, char* to, std::si
 
 using ZstdContext = std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)>;
 
+// NOLINTNEXTLINE(readability-non-const-parameter): it is written through the buffer
 Step stepOfZstd(ZSTD_DStream* context, std::string_view from, char* to, std::size_t room) {
   ZSTD_inBuffer input{from.data(), from.size(), 0};
   ZSTD_outBuffer output{to, room, 0};

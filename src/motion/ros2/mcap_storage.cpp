@@ -59,6 +59,12 @@ struct Loaded {
   std::vector<std::uint64_t> messages;  ///< in order
 };
 
+/// A chunk that is passed, with what its indices say.
+struct Passed {
+  bool has_index = false;
+  std::map<std::uint64_t, std::pair<std::uint16_t, std::uint64_t>> messages;  ///< by offset
+};
+
 class McapFile {
  public:
   explicit McapFile(const std::string& file) : file_(file) {}
@@ -102,12 +108,6 @@ class McapFile {
   }
 
  private:
-  /// A chunk that is passed, with what its indices say.
-  struct Passed {
-    bool has_index = false;
-    std::map<std::uint64_t, std::pair<std::uint16_t, std::uint64_t>> messages;  ///< by offset
-  };
-
   /// Schemas and channels that are repeated behind the data, if they are.
   void readSummary() {
     constexpr std::uint64_t kFooter = kMcapRecordHead + 8 + 8 + 4;
@@ -118,7 +118,7 @@ class McapFile {
     McapBytes bytes(file_.at(footer, kFooter));
     if (static_cast<McapRecord>(bytes.number<std::uint8_t>()) != McapRecord::kFooter) return;
     (void)bytes.number<std::uint64_t>();
-    std::uint64_t place = bytes.number<std::uint64_t>();
+    auto place = bytes.number<std::uint64_t>();
     if (place < kMcapMagic.size()) return;  // none
     while (place < footer && footer - place >= kMcapRecordHead) {
       const Record record = recordAt(file_.at(place, kMcapRecordHead), place);

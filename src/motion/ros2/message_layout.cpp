@@ -168,7 +168,7 @@ std::string differenceOf(const MessageLayout& found, const MessageLayout& known)
       return known.type + " has '" + here + "' for '" + wanted + "'";
     }
     if (!known.fields[i].message) continue;
-    const std::string inner = differenceOf(*found.fields[i].message, *known.fields[i].message);
+    std::string inner = differenceOf(*found.fields[i].message, *known.fields[i].message);
     if (!inner.empty()) return inner;
   }
   return "";

@@ -143,8 +143,8 @@ void checkScenes(const base::SqliteDatabase& database, const ManifestContent& co
   };
   base::SqliteStatement rows(
       database, content.complete
-                    ? "SELECT \"index\" FROM scene WHERE state <> 'begun' ORDER BY \"index\""
-                    : "SELECT \"index\" FROM scene ORDER BY \"index\"");
+                    ? R"(SELECT "index" FROM scene WHERE state <> 'begun' ORDER BY "index")"
+                    : R"(SELECT "index" FROM scene ORDER BY "index")");
   while (rows.step()) {
     const std::int64_t scene = rows.integer(0);
     if (!isOwn(scene)) {
