@@ -158,7 +158,7 @@ class SetupAssistant(unittest.TestCase):
 
         result = server.get('/api/result')
         self.assertEqual(result['scene_count'], 38)
-        self.assertEqual(server.ask(result['scenes'][0]['overlay'])[1][:2], b'\xff\xd8')
+        self.assertEqual(server.ask('/' + result['scenes'][0]['overlay'])[1][:2], b'\xff\xd8')
         self.assertEqual(json.loads(server.ask('/api/verify', body={})[1])['ok'], True)
         self.assertEqual(server.stop(), 0)
 
