@@ -83,9 +83,13 @@ std::set<std::string> rootsOf(const BagContents& contents) {
 std::string bagText(const BagContents& contents, const std::vector<ServerDescription>& on_server) {
   std::ostringstream out;
   out << "kind: bag of " << base::listed(contents.kinds) << '\n';
-  out << "times: " << secondsOfStamp(contents.times.start) << " s to "
-      << secondsOfStamp(contents.times.end) << " s ("
-      << fixed(toSeconds(contents.times.end - contents.times.start), 1) << " s)\n";
+  if (contents.times.start > contents.times.end) {
+    out << "times: none, as there is no message\n";
+  } else {
+    out << "times: " << secondsOfStamp(contents.times.start) << " s to "
+        << secondsOfStamp(contents.times.end) << " s ("
+        << fixed(toSeconds(contents.times.end - contents.times.start), 1) << " s)\n";
+  }
   out << "frames:" << (contents.frames.empty() ? " none\n" : "\n");
   std::set<std::string> printed;
   for (const std::string& root : rootsOf(contents)) {
