@@ -13,23 +13,11 @@ source "$here/workspace.sh"
 environments=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset
 speed=$repository/benchmark/speed
 
-# Installs a list of packages once. Without what they depend on, which the lists have: pyrender asks for a PyOpenGL
-# that has no OSMesa contexts.
-make_environment() {
-  local environment=$1 python=$2 requirements=$3
-  if ! cmp -s "$requirements" "$environment/complete"; then
-    rm -rf "$environment"
-    "$python" -m venv "${@:4}" "$environment"
-    "$environment/bin/pip" --disable-pip-version-check install -q -I --no-deps -r "$requirements"
-    cp "$requirements" "$environment/complete"
-  fi
-}
-
 "$here/install_dependencies.sh" python3-venv python3-rosbag python3-tf2-msgs python3-geometry-msgs
-make_environment "$environments/rivals" /usr/bin/python3 "$speed/requirements.txt" --system-site-packages
+python_environment "$environments/rivals" "$speed/requirements.txt" /usr/bin/python3 --system-site-packages
 blenderproc=()
 if [ -x /usr/bin/python3.11 ]; then
-  make_environment "$environments/blenderproc" /usr/bin/python3.11 "$speed/blenderproc_requirements.txt"
+  python_environment "$environments/blenderproc" "$speed/blenderproc_requirements.txt" /usr/bin/python3.11
   blenderproc=(--blenderproc "$environments/blenderproc/bin/python")
 fi
 

@@ -10,21 +10,11 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/workspace.sh"
 environments=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset
 
-# environment NAME REQUIREMENTS [OPTIONS OF venv...]: installs what is missing. -I: also what Debian has in
-# another version.
-environment() {
-  local folder=$environments/$1 requirements=$repository/test/loaders/$2
-  cmp -s "$requirements" "$folder/complete" && return
-  rm -rf "$folder"
-  /usr/bin/python3 -m venv "${@:3}" "$folder"
-  "$folder/bin/pip" --disable-pip-version-check install -q -I --no-deps -r "$requirements"
-  cp "$requirements" "$folder/complete"
-}
-
 "$here/install_dependencies.sh" python3-venv python3-yaml python3-opencv python3-torch \
   python3-torchvision
-environment loaders requirements.txt --system-site-packages
-environment fiftyone requirements_fiftyone.txt
+requirements=$repository/test/loaders
+python_environment "$environments/loaders" "$requirements/requirements.txt" /usr/bin/python3 --system-site-packages
+python_environment "$environments/fiftyone" "$requirements/requirements_fiftyone.txt"
 export SYNTHETIC_DATASET_FIFTYONE_PYTHON=$environments/fiftyone/bin/python
 
 build_workspace --target make_loader_datasets --target generate --target synthetic_dataset_writers

@@ -9,15 +9,9 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
 source "$here/workspace.sh"
 environment=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset/twin
-requirements=$repository/test/twin/requirements.txt
 
 "$here/install_dependencies.sh" python3-venv python3-rosbag
-if ! cmp -s "$requirements" "$environment/complete"; then
-  rm -rf "$environment"
-  /usr/bin/python3 -m venv --system-site-packages "$environment"
-  "$environment/bin/pip" --disable-pip-version-check install -q --no-deps -r "$requirements"
-  cp "$requirements" "$environment/complete"
-fi
+python_environment "$environment" "$repository/test/twin/requirements.txt" /usr/bin/python3 --system-site-packages
 
 build_workspace --target generate --target synthetic_dataset_writers
 use_workspace

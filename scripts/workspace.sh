@@ -37,6 +37,18 @@ build_jobs() {
   echo $((memory < $(nproc) ? memory : $(nproc)))
 }
 
+# python_environment FOLDER REQUIREMENTS [PYTHON [OPTIONS OF venv...]]: installs a list of packages once, into a virtual
+# environment, and anew when the list changes. Without what they depend on, which the lists have; -I: also what the
+# system has in another version.
+python_environment() {
+  local folder=$1 requirements=$2 python=${3:-/usr/bin/python3}
+  cmp -s "$requirements" "$folder/complete" && return
+  rm -rf "$folder"
+  "$python" -m venv "${@:4}" "$folder"
+  "$folder/bin/pip" --disable-pip-version-check install -q -I --no-deps -r "$requirements"
+  cp "$requirements" "$folder/complete"
+}
+
 use_workspace() {
   set +u  # catkin's file reads variables that may be unset
   # shellcheck disable=SC1091

@@ -55,7 +55,7 @@ ROWS = [
     Row('without_light', 'the preset, with the same light always', 'transfer',
         randomize(lights={'every': {'present': 1, 'intensity': 1, 'colour': 1, 'elevation': 0.9, 'azimuth': 0.6}},
                   ambient=0.5)),
-    Row('simple_light', 'the preset with rendering/light: simple', 'transfer', {'rendering': {'light': 'simple'}}),
+    Row('full_light', 'the preset with rendering/light: full', 'transfer', {'rendering': {'light': 'full'}}),
     Row('without_variety', 'the preset, with the model as it is', 'transfer', randomize(variety='none')),
     Row('same_object', 'the preset, with variety: same_object', 'transfer', randomize(variety='same_object')),
     Row('without_camera', "the preset with the first user's camera", 'transfer',

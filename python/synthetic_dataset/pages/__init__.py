@@ -1,4 +1,4 @@
-"""What all pages for a browser are made of: one file each, with its pictures in it, which loads nothing."""
+"""The shared parts of pages for a browser. Each page is one file with its pictures inside and loads nothing."""
 import base64
 import html
 import io
@@ -24,7 +24,7 @@ def rendered(folder, **values):
 
 
 def _with_code(text):
-    """What stands in backquotes, as code."""
+    """Shows text in backquotes as code."""
     parts = [html.escape(part) for part in text.split('`')]
     return ''.join(f'<code>{part}</code>' if place % 2 else part for place, part in enumerate(parts))
 
