@@ -25,11 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isFile(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 std::string startOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string start(16, '\0');

@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isFile(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 const Value* entryOf(const Value* value, const std::string& name) {
   const auto* map = value == nullptr ? nullptr : value->as<Value::Map>();
   if (map == nullptr) return nullptr;
@@ -67,6 +62,11 @@ std::vector<std::string> filesIn(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool isFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
 
 bool hasStorageName(const std::string& file) {
   fs::path name = fs::path(file).filename();

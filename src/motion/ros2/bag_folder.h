@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace synthetic_dataset::motion {
+
+[[nodiscard]] bool isFile(const std::filesystem::path& path);
 
 /// Whether a name ends as rosbag2's files do: .db3, .mcap, and these with .zstd behind.
 [[nodiscard]] bool hasStorageName(const std::string& file);

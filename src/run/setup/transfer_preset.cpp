@@ -69,37 +69,37 @@ motions:
     weight: 1.0
     placement: {mode: volume, orientation: upright, rows: 0.3, volume: {min: [-2.6, -2.6, 0.0], max: [2.6, 2.6, 0.9]}}
     randomize:
-      distractors: {size: {log_uniform: [0.14, 1.1]}, volume: {min: [-4.3, -4.3, -0.7], max: [4.3, 4.3, 2.1]}}
+      distractors: &flying {size: {log_uniform: [0.14, 1.1]}, volume: {min: [-4.3, -4.3, -0.7], max: [4.3, 4.3, 2.1]}}
   - name: fallen
     weight: 0.4
     placement: {mode: volume, orientation: random, volume: {min: [-2.3, -2.3, 0.0], max: [2.3, 2.3, 1.1]}}
     camera: {sample: {elevation: {uniform: [0.1, 1.5]}}}
     randomize:
-      distractors: {size: {log_uniform: [0.14, 1.1]}, volume: {min: [-4.3, -4.3, -0.7], max: [4.3, 4.3, 2.1]}}
+      distractors: *flying
   - name: open_ground
     weight: 1.0
     placement: {mode: drop, orientation: upright, rows: 0.3, volume: {min: [-3.0, -3.0, 0.05], max: [3.0, 3.0, 0.3]}}
     camera: {sample: {elevation: {uniform: [0.03, 0.8]}}}
     randomize:
-      room: {size: [150.0, 150.0, 0.0], tile: 4.0}
-      materials: {room: {textures: natural, tint: {uniform: [0.7, 1.0]}, roughness: {uniform: [0.35, 1.0]}}}
+      room: &ground {size: [150.0, 150.0, 0.0], tile: 4.0}
+      materials: &paint {room: {textures: natural, tint: {uniform: [0.7, 1.0]}, roughness: {uniform: [0.35, 1.0]}}}
       weather: {present: 0.15, visibility: {log_uniform: [40, 400]}, rain: {log_uniform: [1, 20]}}
-      distractors: {mode: stand, size: {log_uniform: [0.2, 3.0]}, volume: {min: [-9.0, -9.0, 0.0], max: [9.0, 9.0, 4.0]}}
+      distractors: &standing {mode: stand, size: {log_uniform: [0.2, 3.0]}, volume: {min: [-9.0, -9.0, 0.0], max: [9.0, 9.0, 4.0]}}
   - name: row
     weight: 0.5
     placement: {mode: drop, orientation: upright, rows: 1.0, volume: {min: [-9.0, -9.0, 0.05], max: [9.0, 9.0, 0.3]}}
     camera: {sample: {elevation: {uniform: [0.03, 0.6]}}}
     randomize:
-      room: {size: [150.0, 150.0, 0.0], tile: 4.0}
-      materials: {room: {textures: natural, tint: {uniform: [0.7, 1.0]}, roughness: {uniform: [0.35, 1.0]}}}
-      distractors: {mode: stand, size: {log_uniform: [0.2, 3.0]}, volume: {min: [-9.0, -9.0, 0.0], max: [9.0, 9.0, 4.0]}}
+      room: *ground
+      materials: *paint
+      distractors: *standing
   - name: room
     weight: 0.7
     placement: {mode: drop, orientation: upright, rows: 0.3, volume: {min: [-2.8, -2.8, 0.05], max: [2.8, 2.8, 0.3]}}
     camera: {sample: {distance: {log_uniform: [1.6, 8.0]}}}
     randomize:
       room: {size: [11.0, 11.0, 4.5], tile: 3.0}
-      materials: {room: {textures: natural, tint: {uniform: [0.7, 1.0]}, roughness: {uniform: [0.35, 1.0]}}}
+      materials: *paint
       distractors: {mode: stand, size: {log_uniform: [0.15, 1.6]}, volume: {min: [-5.0, -5.0, 0.0], max: [5.0, 5.0, 3.0]}}
 )";
 

@@ -92,8 +92,8 @@ function preset() {
   return switchFor(
       root('preset'), 'For networks that are to work on photographs', effective(root('preset')) === 'transfer',
       usePreset,
-      'Other light, paint, backgrounds, clutter and wear in each scene; without a world also rooms and cameras. What is ' +
-          'set here overrides it.');
+      'Other light, paint, backgrounds, clutter and wear in each scene; without a world also rooms and cameras. ' +
+          'Settings here override it.');
 }
 
 // Entries of groups by name: every light, or one alone.

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// What all windows of a facade have.
+/// Shared by all windows of a facade.
 struct Windows {
   Tile frame;
   Tile ledge;
