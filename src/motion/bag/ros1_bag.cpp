@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <fstream>
-#include <memory>
-#include <mutex>
 #include <unordered_map>
 #include <utility>
 
@@ -144,26 +142,6 @@ class Ros1Messages : public BagMessages {
   std::unordered_map<const void*, Connection> connections_;  ///< by their headers
 };
 
-/// Each of librosbag's bags loads a plugin for encryption, and unloads it with the last bag that
-/// has it. Bags of two threads must not do so at the same time: one would look for a plugin that
-/// the other has just unloaded.
-std::mutex& pluginMutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-struct CloseBag {
-  void operator()(rosbag::Bag* bag) const {
-    const std::lock_guard<std::mutex> lock(pluginMutex());
-    delete bag;  // NOLINT(cppcoreguidelines-owning-memory): by the pointer that owns it
-  }
-};
-
-std::unique_ptr<rosbag::Bag, CloseBag> newBag() {
-  const std::lock_guard<std::mutex> lock(pluginMutex());
-  return std::unique_ptr<rosbag::Bag, CloseBag>(new rosbag::Bag);
-}
-
 class Ros1Bag : public Bag {
  public:
   explicit Ros1Bag(const std::string& file) : file_(file) {
@@ -183,7 +161,7 @@ class Ros1Bag : public Bag {
     return reading(file_, [&]() -> std::unique_ptr<BagMessages> {
       // One message is looked for again after all of its topic were checked.
       const MessagePlaces places = recorded ? MessagePlaces{} : checkBag(file_, is_read);
-      return std::make_unique<Ros1Messages>(*bag_, is_read, recorded, places);
+      return std::make_unique<Ros1Messages>(bag_, is_read, recorded, places);
     });
   }
 
@@ -193,8 +171,8 @@ class Ros1Bag : public Bag {
 
  private:
   void open() {
-    bag_->open(file_);
-    rosbag::View all(*bag_);
+    bag_.open(file_);
+    rosbag::View all(bag_);
     if (all.size() > 0) times_ = {toStamp(all.getBeginTime()), toStamp(all.getEndTime())};
     for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
       const bool is_known = std::any_of(topics_.begin(), topics_.end(), [&](const BagTopic& each) {
@@ -208,7 +186,7 @@ class Ros1Bag : public Bag {
   }
 
   std::string file_;
-  std::unique_ptr<rosbag::Bag, CloseBag> bag_ = newBag();
+  rosbag::Bag bag_;
   std::vector<BagTopic> topics_;
   std::optional<RecordedTimes> times_;
 };
