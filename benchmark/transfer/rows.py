@@ -45,7 +45,7 @@ ROWS = [
     Row('transfer', 'the preset, with variety: same_class', 'transfer'),
 
     Row('without_room', 'the preset, on backgrounds alone', 'transfer', motions=('pasted', 'fallen')),
-    Row('without_pasted', 'the preset, on grounds and in rooms alone', 'transfer', motions=('open_ground', 'room')),
+    Row('without_pasted', 'the preset, on grounds, in rows and in rooms alone', 'transfer', motions=('open_ground', 'row', 'room')),
     Row('without_background', 'the preset, with a colour instead of pictures behind', 'transfer',
         randomize(background={'present': 0})),
     Row('without_distractors', 'the preset, nothing but the objects', 'transfer', randomize(distractors={'count': 0})),
