@@ -33,7 +33,8 @@ struct Keypoint {
   /// not in the scene.
   std::optional<Eigen::Vector2d> pixel;
 
-  double depth = 0.0;  ///< its z in the optical frame [m]; 0 where the object is not in the scene
+  /// Its z in the optical frame, by the pose [m]; 0 where the object is not in the scene.
+  double depth = 0.0;
 
   Required<KeypointState> state{"Keypoint::state", "keypoint_states"};
 };

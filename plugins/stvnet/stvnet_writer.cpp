@@ -74,8 +74,8 @@ class StvNetWriter : public LabelWriter {
   [[nodiscard]] std::optional<std::string> label(const SceneObject& object,
                                                  const CameraModel& camera) const {
     std::string text = object.id + " ";
-    for (const Eigen::Vector3d& keypoint_O : object.keypoints_O) {
-      const auto pixel = camera.project(*object.X_CO * keypoint_O);
+    for (const Keypoint& keypoint : object.keypoints) {
+      const auto& pixel = keypoint.pixel;
       if (!pixel) return std::nullopt;
       text += fixed((pixel->x() + origin_.offset) / camera.width(), 5) + " " +
               fixed((pixel->y() + origin_.offset) / camera.height(), 5) + " ";

@@ -124,6 +124,9 @@ label::LabelOptions readLabels(Parameters root) {
   constexpr std::int64_t kMostPixels = 1000000000;
   labels.min_visibility = group.maybeBetween("min_visibility", 0.0, 1.0).value_or(0.0);
   labels.min_pixels = group.maybeBetween<std::int64_t>("min_pixels", 0, kMostPixels).value_or(0);
+  labels.follows_rows =
+      maybeChoice<bool>(group, "rolling_shutter", {{"picture", true}, {"mid_exposure", false}})
+          .value_or(true);
   constexpr double kLargestTolerance = 1.0;  // [m]; more is meant in another unit
   if (group.has("keypoint_tolerance")) {
     labels.keypoint_tolerance = group.optionalBetween(

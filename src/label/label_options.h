@@ -29,6 +29,7 @@ struct LabelOptions {
   double min_visibility = 0.0;       ///< 0 .. 1; 0: no threshold
   std::int64_t min_pixels = 0;       ///< visible ones; 0: no threshold
   double keypoint_tolerance = 0.01;  ///< [m] behind what is seen, and still visible
+  bool follows_rows = true;          ///< labels of a rolling shutter are of each row's time
 
   [[nodiscard]] bool hasThresholds() const { return min_visibility > 0.0 || min_pixels > 0; }
 };

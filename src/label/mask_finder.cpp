@@ -29,18 +29,18 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
   }
 }
 
-PendingMasks MaskFinder::find(const render::View& view, const std::vector<SceneObject>& objects) {
-  const cv::Size size(view.camera.width(), view.camera.height());
-  without_objects_ = presentOf(linksOf(kNoObject, world_.links()), world_);
+PendingMasks MaskFinder::find(const TakenView& view, const std::vector<SceneObject>& objects) {
+  const cv::Size size = view.size();
+  without_objects_ = presentOf(linksOf(kNoObject, world_.links()), view.present());
   object_links_.clear();
   std::vector<cv::Rect> boxes;
   cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    object_links_.push_back(presentOf(all_object_links_[i], world_));
+    object_links_.push_back(presentOf(all_object_links_[i], view.present()));
     boxes.emplace_back();
     if (!objects[i].in_view) continue;
     // Not its own box: the shape that the user gives may be smaller than what is seen.
-    const cv::Rect reach = renderer_.reach(view, world_.linkPoses(), object_links_[i]);
+    const cv::Rect reach = view.reach(object_links_[i], renderer_);
     boxes.back() = reach & cv::Rect(cv::Point(), size);
     all |= boxes.back();
   }
@@ -90,28 +90,28 @@ std::vector<std::vector<std::size_t>> MaskFinder::apart(const std::vector<cv::Re
   return groups;
 }
 
-void MaskFinder::takeBackground(const render::View& view, const cv::Rect& region) {
+void MaskFinder::takeBackground(const TakenView& view, const cv::Rect& region) {
   // Compared exactly: a scene's masks must not depend on which scene was made before it.
-  const bool stands_still = background_ && isSame(background_->view, view) &&
+  const render::View* at_once = view.atOnce();
+  const bool stands_still = background_ && background_->view && at_once != nullptr &&
+                            isSame(*background_->view, *at_once) &&
                             background_->prop_revision == world_.propRevision() &&
                             background_->look_revision == renderer_.lookRevision();
   if (stands_still && (background_->region & region) == region) return;
   // MOG2 judges each pixel by itself, so pixels outside of all boxes need not be drawn. Where
   // nothing but the objects moves, the whole picture is good for all scenes to come.
-  const cv::Rect whole(0, 0, view.camera.width(), view.camera.height());
-  const cv::Rect drawn = stands_still ? whole : region;
+  const cv::Rect drawn = stands_still ? cv::Rect(cv::Point(), view.size()) : region;
   background_ = Background{
-      view, world_.propRevision(), renderer_.lookRevision(), drawn,
+      at_once != nullptr ? std::optional(*at_once) : std::nullopt, world_.propRevision(),
+      renderer_.lookRevision(), drawn,
       std::make_shared<BackgroundModel>(draw(view, without_objects_, {drawn}), options_, clean_)};
 }
 
-render::PendingPicture MaskFinder::draw(const render::View& view,
-                                        const render::LinkSelection& drawn,
+render::PendingPicture MaskFinder::draw(const TakenView& view, const render::LinkSelection& drawn,
                                         const std::vector<cv::Rect>& regions) {
   // Without shadows, and with pixels sampled at their centres alone, what differs from the
   // background is the object and nothing around it.
-  return renderer_.draw(view, world_.linkPoses(),
-                        {drawn, nothing_, render::Sampling::kCentre, regions});
+  return view.draw({drawn, nothing_, render::Sampling::kCentre, regions}, renderer_);
 }
 
 }  // namespace synthetic_dataset::label

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "label/mog2_segmenter.h"
+#include "label/taken_view.h"
 #include "render/renderer.h"
 #include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/scene.h"
@@ -28,23 +29,23 @@ class MaskFinder {
   MaskFinder(const world::World& world, render::Renderer& renderer, std::size_t object_count,
              const label::Mog2Options& options, bool clean);
 
-  /// Draws what masks are found in, of the world as it stands now.
-  [[nodiscard]] PendingMasks find(const render::View& view,
-                                  const std::vector<SceneObject>& objects);
+  /// Draws what masks are found in.
+  [[nodiscard]] PendingMasks find(const TakenView& view, const std::vector<SceneObject>& objects);
 
  private:
   struct Background {
-    render::View view;  ///< from which it was taken
+    std::optional<render::View>
+        view;  ///< from which it was taken; nothing for rows of their own times
     std::int64_t prop_revision = -1;
     std::int64_t look_revision = -1;
     cv::Rect region;  ///< the pixels that were drawn
     std::shared_ptr<BackgroundModel> model;
   };
 
-  void takeBackground(const render::View& view, const cv::Rect& region);
+  void takeBackground(const TakenView& view, const cv::Rect& region);
   [[nodiscard]] static std::vector<std::vector<std::size_t>> apart(
       const std::vector<cv::Rect>& boxes);
-  [[nodiscard]] render::PendingPicture draw(const render::View& view,
+  [[nodiscard]] render::PendingPicture draw(const TakenView& view,
                                             const render::LinkSelection& drawn,
                                             const std::vector<cv::Rect>& regions);
 

@@ -41,8 +41,7 @@ inline constexpr int kNoObject = -1;
 
 /// The selected links that are present.
 [[nodiscard]] inline render::LinkSelection presentOf(render::LinkSelection links,
-                                                     const world::World& world) {
-  const std::vector<bool>& present = world.presentLinks();
+                                                     const render::LinkSelection& present) {
   std::transform(links.begin(), links.end(), present.begin(), links.begin(), std::logical_and<>());
   return links;
 }

@@ -1,8 +1,13 @@
 #include "label/optical_flow.h"
 
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include <opencv2/core/utility.hpp>
+
+#include "label/row_labels.h"
 
 namespace synthetic_dataset::label {
 namespace {
@@ -19,6 +24,26 @@ std::vector<Pose> motions(const Pose& X_WC, const std::vector<Pose>& X_WL, const
   return result;
 }
 
+constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+
+/// @param move  finds the place that a pixel moves to, if any; is called in several threads
+cv::Mat flowOf(const cv::Size& size,
+               const std::function<std::optional<Eigen::Vector2d>(int v, int u)>& move) {
+  cv::Mat flow(size, CV_32FC2, cv::Scalar::all(static_cast<double>(kNowhere)));
+  // Rows are worked on side by side; no two calls share a pixel.
+  cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      for (int u = 0; u < size.width; ++u) {
+        const auto to = move(v, u);
+        if (!to) continue;
+        const Eigen::Vector2f step = (*to - Eigen::Vector2d(u, v)).cast<float>();
+        flow.at<cv::Vec2f>(v, u) = {step.x(), step.y()};
+      }
+    }
+  });
+  return flow;
+}
+
 }  // namespace
 
 cv::Mat opticalFlow(const CameraModel& camera, const cv::Mat& depth, const cv::Mat& range,
@@ -26,29 +51,37 @@ cv::Mat opticalFlow(const CameraModel& camera, const cv::Mat& depth, const cv::M
                     const CameraModel& camera_next, const Pose& X_WC_next,
                     const std::vector<Pose>& X_WL_next) {
   const std::vector<Pose> motion = motions(X_WC, X_WL, X_WC_next, X_WL_next);
-  constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-  cv::Mat flow(depth.size(), CV_32FC2, cv::Scalar::all(static_cast<double>(kNowhere)));
-  const auto move = [&](int v, int u) {
+  return flowOf(depth.size(), [&](int v, int u) -> std::optional<Eigen::Vector2d> {
     const int link = links.at<int>(v, u);
-    if (link == 0) return;
-    const Eigen::Vector2d from(u, v);
-    const auto ray_C = camera.ray(from);
-    if (!ray_C) return;
+    if (link == 0) return std::nullopt;
+    const auto ray_C = camera.ray(Eigen::Vector2d(u, v));
+    if (!ray_C) return std::nullopt;
     const double distance = range.empty() ? static_cast<double>(depth.at<float>(v, u)) / ray_C->z()
                                           : static_cast<double>(range.at<float>(v, u));
     const Eigen::Vector3d p_C = distance * *ray_C;
-    const auto to = camera_next.project(motion.at(static_cast<std::size_t>(link - 1)) * p_C);
-    if (!to) return;
-    const Eigen::Vector2f step = (*to - from).cast<float>();
-    flow.at<cv::Vec2f>(v, u) = {step.x(), step.y()};
-  };
-  // Rows are worked on side by side; no two calls share a pixel.
-  cv::parallel_for_(cv::Range(0, depth.rows), [&](const cv::Range& rows) {
-    for (int v = rows.start; v < rows.end; ++v) {
-      for (int u = 0; u < depth.cols; ++u) move(v, u);
-    }
+    return camera_next.project(motion.at(static_cast<std::size_t>(link - 1)) * p_C);
   });
-  return flow;
+}
+
+cv::Mat opticalFlow(const render::RollingView& rows, const cv::Mat& range, const cv::Mat& links,
+                    const render::RollingView& next) {
+  std::vector<bool> seen(next.moments.front().X_WL.size());
+  for (int v = 0; v < links.rows; ++v) {
+    const int* row = links.ptr<int>(v);
+    for (int u = 0; u < links.cols; ++u) {
+      if (row[u] != 0) seen.at(static_cast<std::size_t>(row[u] - 1)) = true;
+    }
+  }
+  const RowFinder finder(next, seen);
+  return flowOf(range.size(), [&](int v, int u) -> std::optional<Eigen::Vector2d> {
+    if (links.at<int>(v, u) == 0) return std::nullopt;
+    const auto link = static_cast<std::size_t>(links.at<int>(v, u) - 1);
+    const auto ray_C = rows.camera.ray(Eigen::Vector2d(u, v));
+    if (!ray_C) return std::nullopt;
+    const Eigen::Vector3d p_C = static_cast<double>(range.at<float>(v, u)) * *ray_C;
+    const auto to = finder.find(link, rows.X_CL(link, v).inverse() * p_C);
+    return to ? std::optional(to->pixel) : std::nullopt;
+  });
 }
 
 }  // namespace synthetic_dataset::label

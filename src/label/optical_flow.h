@@ -4,6 +4,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "render/view.h"
 #include "synthetic_dataset/camera_model.h"
 #include "synthetic_dataset/pose.h"
 
@@ -23,5 +24,11 @@ namespace synthetic_dataset::label {
                                   const cv::Mat& range, const cv::Mat& links, const Pose& X_WC,
                                   const std::vector<Pose>& X_WL, const CameraModel& camera_next,
                                   const Pose& X_WC_next, const std::vector<Pose>& X_WL_next);
+
+/// The same of pictures whose rows are taken one after the other: from where the pixel's row has
+/// the point to where the next picture has it.
+/// @param rows, next  the picture and the next one, with the world's links
+[[nodiscard]] cv::Mat opticalFlow(const render::RollingView& rows, const cv::Mat& range,
+                                  const cv::Mat& links, const render::RollingView& next);
 
 }  // namespace synthetic_dataset::label

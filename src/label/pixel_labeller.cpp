@@ -44,6 +44,26 @@ cv::Mat rangesOf(const render::LabelImages& images, const CameraModel& camera) {
   return std::move(ranges);
 }
 
+PlacedKeypoints placedKeypoints(const TakenView& view, Scene& scene) {
+  PlacedKeypoints placed(scene.objects.size());
+  const TakenInRows* taken = view.rows();
+  std::vector<bool> present;
+  for (const SceneObject& object : scene.objects) present.push_back(object.X_CO.has_value());
+  const render::RollingView of_objects =
+      taken != nullptr ? viewOfObjects(*taken) : render::RollingView{view.camera(), {}};
+  const RowFinder rows(of_objects, present);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    SceneObject& object = scene.objects[i];
+    if (!object.X_CO) continue;
+    if (taken != nullptr) {
+      placed[i] = labelInRows(rows, i, object, scene.camera);
+      continue;
+    }
+    for (const Eigen::Vector3d& p_O : object.keypoints_O) placed[i].push_back(*object.X_CO * p_O);
+  }
+  return placed;
+}
+
 /// A map of numbers with 0 where something hides what it has.
 cv::Mat without(const cv::Mat& covered, const cv::Mat& map) {
   cv::Mat rest = map.clone();
@@ -84,14 +104,15 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
 
 bool PixelLabeller::usesSubtraction() const { return options_.masks.method == MaskMethod::kMog2; }
 
-SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
-  pass_.drawn = world_.presentLinks();
+SeenPixels PixelLabeller::look(const TakenView& view, Scene& scene) {
+  pass_.drawn = view.present();
   // Without a lens the distances that keypoints ask for follow from the depths.
   pass_.range =
-      requirements_.optical_flow ||
-      ((requirements_.keypoint_states || options_.occlusion) && render::hasDistortion(view.camera));
+      requirements_.optical_flow || ((requirements_.keypoint_states || options_.occlusion) &&
+                                     render::hasDistortion(view.camera()));
+  PlacedKeypoints keypoints = placedKeypoints(view, scene);
   const render::LabelImages images =
-      needs_labels_ ? renderer_.labels(view, world_.linkPoses(), pass_) : render::LabelImages();
+      needs_labels_ ? view.labels(pass_, renderer_) : render::LabelImages();
   // After that, the renderer knows most silhouettes.
   if (needs_silhouettes_) measureSilhouettes(view, scene);
   if (!needs_labels_) {
@@ -103,14 +124,16 @@ SeenPixels PixelLabeller::look(const render::View& view, Scene& scene) {
       has_masks && usesSubtraction() ? finder_.find(view, scene.objects) : PendingMasks();
   SeenPixels seen;
   if (requirements_.optical_flow) seen.surface = {images.depth, images.range, images.links};
-  seen.labels = [this, images, masks = std::move(masks)](Scene& labelled, const cv::Mat& measured) {
-    return labelPixels(images, masks, measured, labelled);
+  seen.labels = [this, images, masks = std::move(masks), keypoints = std::move(keypoints)](
+                    Scene& labelled, const cv::Mat& measured) {
+    return labelPixels(images, masks, keypoints, measured, labelled);
   };
   return seen;
 }
 
 LabelFindings PixelLabeller::labelPixels(render::LabelImages images, const PendingMasks& masks,
-                                         const cv::Mat& measured, Scene& scene) const {
+                                         const PlacedKeypoints& keypoints, const cv::Mat& measured,
+                                         Scene& scene) const {
   LabelFindings findings;
   cv::Mat covered;
   if (options_.occlusion && !measured.empty()) {
@@ -124,7 +147,7 @@ LabelFindings PixelLabeller::labelPixels(render::LabelImages images, const Pendi
   findings.agreement = addMasks(images.ids, covered, masks, scene);
   if (requirements_.keypoint_states) {
     const bool has_ranges = !covered.empty() || render::hasDistortion(scene.camera);
-    addKeypointStates(images, has_ranges, scene);
+    addKeypointStates(images, has_ranges, keypoints, scene);
   }
   drop(scene);
   return findings;
@@ -148,13 +171,13 @@ void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) c
   if (requirements_.part_map) scene.part_map = label::mapOfLinks(images.links, options_.parts);
 }
 
-void PixelLabeller::measureSilhouettes(const render::View& view, Scene& scene) {
+void PixelLabeller::measureSilhouettes(const TakenView& view, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     SceneObject& object = scene.objects[i];
     render::Silhouette silhouette;
-    silhouette.mask = Mask(cv::Size(view.camera.width(), view.camera.height()));
-    if (world_.isPresent(i)) {
-      silhouette = renderer_.silhouette(view, world_.linkPoses(), presentOf(links_of_[i], world_));
+    silhouette.mask = Mask(view.size());
+    if (object.X_CO) {
+      silhouette = view.silhouette(presentOf(links_of_[i], view.present()), renderer_);
     }
     object.silhouette_box = silhouette.box;
     object.pixels.silhouette = silhouette.pixels;
@@ -217,21 +240,20 @@ void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
 }
 
 void PixelLabeller::addKeypointStates(const render::LabelImages& images, bool has_ranges,
-                                      Scene& scene) const {
+                                      const PlacedKeypoints& keypoints, Scene& scene) const {
   const Intrinsics& k = scene.camera.intrinsics();
   const label::RangeAt range = [&](const cv::Point& pixel) {
     if (has_ranges) return double{images.range.at<float>(pixel)};
     const Eigen::Vector3d ray((pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy, 1.0);
     return images.depth.at<float>(pixel) * ray.norm();
   };
-  for (SceneObject& object : scene.objects) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    SceneObject& object = scene.objects[i];
     if (!object.X_CO) {
       for (Keypoint& each : object.keypoints) each.state = KeypointState::kOutside;
       continue;
     }
-    std::vector<Eigen::Vector3d> keypoints_C;
-    for (const Eigen::Vector3d& p_O : object.keypoints_O) keypoints_C.push_back(*object.X_CO * p_O);
-    label::findKeypointStates(object.keypoints, keypoints_C, object.instance, images.ids, range,
+    label::findKeypointStates(object.keypoints, keypoints[i], object.instance, images.ids, range,
                               scene.camera, options_.labels.keypoint_tolerance);
   }
 }

@@ -9,6 +9,7 @@
 #include "label/label_options.h"
 #include "label/mask_finder.h"
 #include "label/occlusion.h"
+#include "label/taken_view.h"
 #include "render/renderer.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
@@ -58,6 +59,9 @@ struct LabelFindings {
 ///     nothing was measured
 using PendingLabels = std::function<LabelFindings(Scene&, const cv::Mat& measured)>;
 
+/// Of each object, its keypoints in the optical frame [m]; empty for one that is not in the scene.
+using PlacedKeypoints = std::vector<std::vector<Eigen::Vector3d>>;
+
 /// What was seen for a scene.
 struct SeenPixels {
   SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
@@ -72,22 +76,25 @@ class PixelLabeller {
   PixelLabeller(const world::World& world, render::Renderer& renderer, std::size_t object_count,
                 const Requirements& requirements, const PixelLabelOptions& options);
 
-  /// Draws what labels are taken from, of the world as it stands now, and adds the first of them.
-  /// @param scene  whose objects have all labels that follow from their poses
-  [[nodiscard]] SeenPixels look(const render::View& view, Scene& scene);
+  /// Draws what labels are taken from, and adds the first of them.
+  /// @param scene  whose objects have all labels that follow from their poses; where rows are taken
+  ///     one after the other, they get those of the rows' times
+  [[nodiscard]] SeenPixels look(const TakenView& view, Scene& scene);
 
  private:
   void addImages(const render::LabelImages& images, Scene& scene) const;
-  void measureSilhouettes(const render::View& view, Scene& scene);
+  void measureSilhouettes(const TakenView& view, Scene& scene);
   [[nodiscard]] LabelFindings labelPixels(render::LabelImages images, const PendingMasks& masks,
-                                          const cv::Mat& measured, Scene& scene) const;
+                                          const PlacedKeypoints& keypoints, const cv::Mat& measured,
+                                          Scene& scene) const;
   void cut(const cv::Mat& covered, const cv::Mat& measured, render::LabelImages& images,
            Scene& scene) const;
   [[nodiscard]] MaskAgreement addMasks(const cv::Mat& ids, const cv::Mat& covered,
                                        const PendingMasks& subtracted, Scene& scene) const;
   void addVisibleParts(const cv::Mat& instance_map, const std::vector<label::InstancePixels>& parts,
                        Scene& scene) const;
-  void addKeypointStates(const render::LabelImages& images, bool has_ranges, Scene& scene) const;
+  void addKeypointStates(const render::LabelImages& images, bool has_ranges,
+                         const PlacedKeypoints& keypoints, Scene& scene) const;
   void drop(Scene& scene) const;
   [[nodiscard]] bool usesSubtraction() const;
 

@@ -248,6 +248,10 @@ LabelImages Renderer::labels(const View& view, const std::vector<Pose>& X_WL,
   return labelsOf(images, impl.draw_list, view.camera.intrinsics(), pass);
 }
 
+LabelImages Renderer::labels(const RollingView& view, const LabelPass& pass) {
+  return impl_->label_painter.paint(view, pass);
+}
+
 cv::Mat Renderer::distances(const View& view, const std::vector<Pose>& X_WL,
                             const LinkSelection& drawn) {
   LabelPass pass{drawn};
@@ -268,10 +272,22 @@ Silhouette Renderer::silhouette(const View& view, const std::vector<Pose>& X_WL,
       view, X_WL, links, drawn != nullptr ? drawn->covered(view, X_WL, links) : std::nullopt);
 }
 
+Silhouette Renderer::silhouette(const RollingView& view, const LinkSelection& links) {
+  return impl_->silhouette_painter.paint(view, links);
+}
+
 cv::Rect Renderer::reach(const View& view, const std::vector<Pose>& X_WL,
                          const LinkSelection& links) const {
   return boundsOf(regionsOf(impl_->draw_list.items(), view, X_WL,
                             [&](const DrawItem& item) { return links[item.link]; }));
+}
+
+cv::Rect Renderer::reach(const RollingView& view, const LinkSelection& links) const {
+  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
+  for (const RollingMoment& moment : view.moments) {
+    all |= reach({view.camera, moment.X_WC}, moment.X_WL, links);
+  }
+  return all;
 }
 
 std::string Renderer::glVersion() const { return impl_->context.version(); }

@@ -96,6 +96,10 @@ class Renderer {
   [[nodiscard]] LabelImages labels(const View& view, const std::vector<Pose>& X_WL,
                                    const LabelPass& pass);
 
+  /// The same of a picture whose rows are taken one after the other: each pixel at its row's time,
+  /// in the optical frame of that time.
+  [[nodiscard]] LabelImages labels(const RollingView& view, const LabelPass& pass);
+
   /// How far away [m] along its ray each pixel's centre sees something: CV_32FC1, infinity where
   /// there is nothing but the background, 0 where the lens sees nothing. Glass counts as for
   /// labels().
@@ -107,9 +111,15 @@ class Renderer {
   [[nodiscard]] Silhouette silhouette(const View& view, const std::vector<Pose>& X_WL,
                                       const LinkSelection& links);
 
+  /// The same of a picture whose rows are taken one after the other.
+  [[nodiscard]] Silhouette silhouette(const RollingView& view, const LinkSelection& links);
+
   /// Pixels on which the selected links may be seen: a few more, and none beside them.
   [[nodiscard]] cv::Rect reach(const View& view, const std::vector<Pose>& X_WL,
                                const LinkSelection& links) const;
+
+  /// The same of a picture whose rows are taken one after the other.
+  [[nodiscard]] cv::Rect reach(const RollingView& view, const LinkSelection& links) const;
 
   /// The version of OpenGL: "4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string glVersion() const;

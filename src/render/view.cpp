@@ -8,6 +8,20 @@
 namespace synthetic_dataset::render {
 namespace {
 
+/// The moments before and after a row, and how far it is from one to the other, 0 .. 1.
+struct Between {
+  const RollingMoment& from;
+  const RollingMoment& to;
+  double share;
+};
+
+Between around(double row, const std::vector<RollingMoment>& moments) {
+  const auto after = std::find_if(moments.begin() + 1, moments.end() - 1,
+                                  [&](const RollingMoment& moment) { return moment.row >= row; });
+  const RollingMoment& from = *(after - 1);
+  return {from, *after, std::clamp((row - from.row) / (after->row - from.row), 0.0, 1.0)};
+}
+
 Pose between(const Pose& before, const Pose& after, double share) {
   if (before.matrix() == after.matrix()) return before;
   const Eigen::Quaterniond turned =
@@ -34,17 +48,19 @@ Eigen::Matrix4d clipFromCamera(const CameraModel& camera) {
 }
 
 RollingMoment RollingView::at(double row) const {
-  auto after = std::find_if(moments.begin() + 1, moments.end() - 1,
-                            [&](const RollingMoment& moment) { return moment.row >= row; });
-  const RollingMoment& from = *(after - 1);
-  const RollingMoment& to = *after;
-  const double share = (row - from.row) / (to.row - from.row);
+  const auto [from, to, share] = around(row, moments);
   RollingMoment here{row, between(from.X_WC, to.X_WC, share), {}};
   here.X_WL.reserve(from.X_WL.size());
   for (std::size_t link = 0; link < from.X_WL.size(); ++link) {
     here.X_WL.push_back(between(from.X_WL[link], to.X_WL[link], share));
   }
   return here;
+}
+
+Pose RollingView::X_CL(std::size_t link, double row) const {
+  const auto [from, to, share] = around(row, moments);
+  return between(from.X_WC, to.X_WC, share).inverse() *
+         between(from.X_WL[link], to.X_WL[link], share);
 }
 
 cv::Rect RollingView::rowsOf(int band) const {

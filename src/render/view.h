@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -54,8 +55,12 @@ struct RollingView {
   /// Rows that share the time of their lights and shadows, as bands of equal height.
   int bands = 1;
 
-  /// The poses when a row is taken. Orientations turn evenly, as tf2 has it.
+  /// The poses when a row is taken. Orientations turn evenly, as tf2 has it. Beyond the first and
+  /// the last moment all stands as it does then.
   [[nodiscard]] RollingMoment at(double row) const;
+
+  /// Where the camera has a link when a row is taken, as at() has it.
+  [[nodiscard]] Pose X_CL(std::size_t link, double row) const;
 
   /// When the middle row is taken.
   [[nodiscard]] RollingMoment middle() const { return at(0.5 * (camera.height() - 1)); }

@@ -1,6 +1,7 @@
 #include "run/motion_run.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -34,6 +35,13 @@ label::PixelLabelOptions labelOptions(const MotionSetup& motion) {
   return options;
 }
 
+/// All times of two ascending lists.
+std::vector<Duration> bothOf(const std::vector<Duration>& one, const std::vector<Duration>& other) {
+  std::vector<Duration> both;
+  std::set_union(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
+  return both;
+}
+
 }  // namespace
 
 MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Requirements& requirements)
@@ -43,13 +51,15 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
       scene_maker_(*motion.world, renderer_, *motion.frames, motion.cameras, *motion.shapes,
                    labelRequirements(requirements, motion), labelOptions(motion)),
       picture_taker_(*motion.world, renderer_, motion.cameras, motion.config.seed),
+      row_recorder_(*motion.world, motion.cameras, motion.config.labels.follows_rows),
+      offsets_(bothOf(picture_taker_.offsets(), row_recorder_.offsets())),
       object_motion_(*motion.frames, motion.config.objects, motion.world->links(),
                      motion.driven_links),
       physics_findings_(*motion.world, motion.config.physics.contact_tolerance) {
   // A shutter may open before the recording begins: objects are where they are first seen then.
   const Stamp first = motion_.timeline.stamps.front();
   (void)object_motion_.objectPoses(first);
-  motion_start_ = first + picture_taker_.offsets().front();
+  motion_start_ = first + offsets_.front();
 }
 
 bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter) {
@@ -64,7 +74,8 @@ bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& rep
     if (reporter.stopRequested()) return false;
     makeInstant(instant++, stamp, work, pipeline);
   }
-  passOn(nullptr, pipeline);
+  addOpticalFlow(nullptr);
+  passOn(pipeline);
   return true;
 }
 
@@ -74,7 +85,7 @@ bool MotionRun::isKnownUntil(std::int64_t end) const {
                       !scene_maker_.needsOpticalFlow() && end > motion_.first_instant;
   if (!may_be) return false;
   const auto last = static_cast<std::size_t>(end - 1 - motion_.first_instant);
-  return motion_.history->reaches(motion_.timeline.stamps[last] + picture_taker_.offsets().back());
+  return motion_.history->reaches(motion_.timeline.stamps[last] + offsets_.back());
 }
 
 void MotionRun::settle() {
@@ -121,7 +132,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   if ((stands_alone || is_known_) && !is_wanted) return;
   // Scenes that wait for nothing are passed on one by one, as their images take much memory.
   const bool waits_for_next = scene_maker_.needsOpticalFlow() && !stands_alone;
-  const bool waits = waits_for_next || picture_taker_.offsets().size() > 1;
+  const bool waits = waits_for_next || offsets_.size() > 1;
   std::vector<DrawnScene> scenes;
   const auto develop = [&] {
     for (DrawnScene& each : scenes) {
@@ -136,22 +147,34 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
       if (work.hasScene(each.seen.scene.index)) drawn_.push_back(std::move(each));
     }
     scenes.clear();
-    if (!waits_for_next) passOn(nullptr, pipeline);
+    if (waits_for_next) return;
+    addOpticalFlow(nullptr);
+    passOn(pipeline);
   };
   arrange(instant, stamp, is_wanted);
-  for (const Duration offset : picture_taker_.offsets()) {
+  const bool records_rows = row_recorder_.followsAny() && (is_wanted || !drawn_.empty());
+  for (const Duration offset : offsets_) {
     moveWorld(stamp + offset);
     scene::CameraPoses poses(motion_.cameras, *motion_.world, *motion_.frames, stamp, offset);
-    std::vector<std::optional<Pose>> X_GO;
     if (offset == Duration{0}) {
-      passOn(&poses, pipeline);
-      if (is_wanted) X_GO = object_motion_.objectPoses(stamp);
+      addOpticalFlow(&poses);
+      if (!records_rows) passOn(pipeline);
     }
-    for (std::size_t camera = 0; is_wanted && camera < motion_.cameras.size(); ++camera) {
+    std::vector<std::optional<Pose>> X_GO;
+    if (records_rows || (is_wanted && offset == Duration{0})) {
+      X_GO = object_motion_.objectPoses(stamp + offset);
+    }
+    for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
+      if (records_rows) row_recorder_.record(camera, offset, poses, X_GO);
+      if (!is_wanted) continue;
       if (!motion_.config.hasRecordedImages()) picture_taker_.expose(camera, offset, poses);
       if (offset == Duration{0}) scenes.push_back(look(camera, instant, stamp, poses, X_GO));
       if (!waits) develop();
     }
+  }
+  if (records_rows) {
+    lookInRows(scenes);
+    passOn(pipeline);
   }
   if (waits) develop();
   pending_warnings_.clear();
@@ -162,7 +185,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
 void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
   motion_.variation->choose(instant, *motion_.world);
   motion_.arranger->placeObjects(instant);
-  moveWorld(stamp + picture_taker_.offsets().front());
+  moveWorld(stamp + offsets_.front());
   // The scene before may wait for where things have gone.
   if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);
@@ -175,7 +198,9 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
 MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                       scene::CameraPoses& poses,
                                       const std::vector<std::optional<Pose>>& X_GO) {
-  DrawnScene scene{scene_maker_.look(camera, instant, stamp, poses, X_GO),
+  DrawnScene scene{row_recorder_.follows(camera)
+                       ? scene_maker_.begin(camera, instant, stamp, poses, X_GO)
+                       : scene_maker_.look(camera, instant, stamp, poses, X_GO),
                    {},
                    {},
                    {},
@@ -207,11 +232,35 @@ std::vector<base::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t
   return draws;
 }
 
-/// Passes the scenes on that were drawn last.
-/// @param now  the cameras' poses now, for where their pixels have gone; null after the last scene
-void MotionRun::passOn(scene::CameraPoses* now, ScenePipeline& pipeline) {
+/// Labels the scenes of rolling shutters now that it is known where all was at their rows' times.
+/// @param scenes  of this instant; none where it is not wanted
+void MotionRun::lookInRows(std::vector<DrawnScene>& scenes) {
+  for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
+    if (!row_recorder_.follows(camera)) continue;
+    label::TakenInRows taken = row_recorder_.take(camera);
+    for (DrawnScene& before : drawn_) {
+      if (scene_maker_.needsOpticalFlow() && before.seen.scene.camera_index == camera) {
+        scene::SceneMaker::addOpticalFlowInRows(before.seen, taken.view);
+      }
+    }
+    if (!scenes.empty()) scene_maker_.lookInRows(scenes[camera].seen, std::move(taken));
+  }
+}
+
+/// Adds where the pixels of the scenes that were drawn last have gone.
+/// @param now  the cameras' poses now; null after the last scene. Of rolling shutters, it is not
+///     known yet then
+void MotionRun::addOpticalFlow(scene::CameraPoses* now) {
+  if (!scene_maker_.needsOpticalFlow()) return;
   for (DrawnScene& each : drawn_) {
-    if (scene_maker_.needsOpticalFlow()) scene_maker_.addOpticalFlow(each.seen, now);
+    const bool is_known = now == nullptr || !row_recorder_.follows(each.seen.scene.camera_index);
+    if (is_known) scene_maker_.addOpticalFlow(each.seen, now);
+  }
+}
+
+/// Passes the scenes on that were drawn last.
+void MotionRun::passOn(ScenePipeline& pipeline) {
+  for (DrawnScene& each : drawn_) {
     const CameraModel& camera = each.seen.scene.camera;
     const std::int64_t pixel_count = std::int64_t{camera.width()} * camera.height();
     pipeline.add(
@@ -224,6 +273,7 @@ void MotionRun::passOn(scene::CameraPoses* now, ScenePipeline& pipeline) {
 FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   Scene& scene = drawn.seen.scene;
   drawn.seen.X_GL.clear();
+  drawn.seen.rows.reset();
   drawn.seen.pixels.surface = {};
   // What labels and image are made of is not needed any more.
   const cv::Mat measured = drawn.measured ? std::exchange(drawn.measured, {})() : cv::Mat();

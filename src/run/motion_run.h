@@ -15,6 +15,7 @@
 #include "scene/object_motion.h"
 #include "scene/physics_findings.h"
 #include "scene/picture_taker.h"
+#include "scene/row_recorder.h"
 #include "scene/scene_maker.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -62,7 +63,9 @@ class MotionRun {
                                 const std::vector<std::optional<Pose>>& X_GO);
   [[nodiscard]] std::vector<base::DrawFacts> drawsOf(std::size_t camera,
                                                      std::int64_t instant) const;
-  void passOn(scene::CameraPoses* now, ScenePipeline& pipeline);
+  void lookInRows(std::vector<DrawnScene>& scenes);
+  void addOpticalFlow(scene::CameraPoses* now);
+  void passOn(ScenePipeline& pipeline);
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
   [[nodiscard]] base::SceneFacts factsOf(const DrawnScene& drawn,
                                          const label::MaskAgreement& agreement) const;
@@ -72,6 +75,8 @@ class MotionRun {
   render::Renderer renderer_;
   scene::SceneMaker scene_maker_;
   scene::PictureTaker picture_taker_;
+  scene::RowRecorder row_recorder_;
+  std::vector<Duration> offsets_;  ///< times around an instant that are looked at, ascending
   scene::ObjectMotion object_motion_;
   scene::PhysicsFindings physics_findings_;
   Stamp motion_start_{0};                        ///< when the first shutter opens

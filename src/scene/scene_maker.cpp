@@ -25,6 +25,14 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
 
 SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp,
                            CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) {
+  SeenScene seen = begin(camera, instant, stamp, poses, std::move(X_GO));
+  const render::View view{seen.scene.camera, seen.scene.X_GC};
+  seen.pixels = labellers_[camera].look({view, world_}, seen.scene);
+  return seen;
+}
+
+SeenScene SceneMaker::begin(std::size_t camera, std::int64_t instant, Stamp stamp,
+                            CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) const {
   const CameraRig& rig = cameras_[camera];
   const render::View view{rig.model, poses.of(camera).X_GC};
   const auto count = static_cast<std::int64_t>(cameras_.size());
@@ -55,9 +63,13 @@ SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp
     };
     return Pose(inGlobal(target).inverse() * inGlobal(source));
   });
-  label::SeenPixels pixels = labellers_[camera].look(view, scene);
-  return {std::move(scene), std::move(pixels),
-          needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
+  return {std::move(scene), {}, needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
+}
+
+void SceneMaker::lookInRows(SeenScene& seen, label::TakenInRows taken) {
+  Scene& scene = seen.scene;
+  seen.pixels = labellers_[scene.camera_index].look({taken, world_}, scene);
+  if (needs_optical_flow_) seen.rows = std::move(taken.view);
 }
 
 void SceneMaker::addOpticalFlow(SeenScene& seen, CameraPoses* next) const {
@@ -72,6 +84,12 @@ void SceneMaker::addOpticalFlow(SeenScene& seen, CameraPoses* next) const {
   scene.optical_flow = label::opticalFlow(scene.camera, surface.depth, surface.range, surface.links,
                                           scene.X_GC, seen.X_GL, rig.model,
                                           next->of(scene.camera_index).X_GC, world_.linkPoses());
+}
+
+void SceneMaker::addOpticalFlowInRows(SeenScene& seen, const render::RollingView& next) {
+  const label::SeenSurface& surface = seen.pixels.surface;
+  seen.scene.optical_flow =
+      label::opticalFlow(seen.rows.value(), surface.range, surface.links, next);
 }
 
 std::vector<base::ObjectFacts> SceneMaker::objectFacts(

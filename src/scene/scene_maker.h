@@ -23,6 +23,9 @@ struct SeenScene {
   Scene scene;
   label::SeenPixels pixels;
   std::vector<Pose> X_GL;  ///< of the world's links, for its optical flow
+
+  /// The same where each row has its own time.
+  std::optional<render::RollingView> rows = std::nullopt;
 };
 
 /// Labels what a camera sees of the world as it stands: what the writers' requirements ask for, and
@@ -45,12 +48,24 @@ class SceneMaker {
   [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                CameraPoses& poses, std::vector<std::optional<Pose>> X_GO);
 
+  /// The same without what follows from pixels, which is left to lookInRows.
+  [[nodiscard]] SeenScene begin(std::size_t camera, std::int64_t instant, Stamp stamp,
+                                CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) const;
+
+  /// What the camera sees if each row has its own time: labels of the picture in the place of those
+  /// of the instant. Poses stay those of the instant.
+  /// @param seen  that has begun
+  void lookInRows(SeenScene& seen, label::TakenInRows taken);
+
   /// Whether scenes have to wait for the next one.
   [[nodiscard]] bool needsOpticalFlow() const { return needs_optical_flow_; }
 
   /// Where what is seen has moved to in the world as it stands now.
   /// @param next  the cameras' poses now; null after the last scene
   void addOpticalFlow(SeenScene& seen, CameraPoses* next) const;
+
+  /// The same where each row has its own time, in the next scene too.
+  static void addOpticalFlowInRows(SeenScene& seen, const render::RollingView& next);
 
   /// What a labelled scene's manifest gets of its objects: what was measured, and nothing else.
   /// @param agreement  of its masks

@@ -56,6 +56,37 @@ class OpticalFlow : public ::testing::TestWithParam<bool> {
   const CameraModel& camera = GetParam() ? kLens : kCamera;
 };
 
+TEST_P(OpticalFlow, OfARollingShutterLeadsToTheRowThatHasThePointThen) {
+  const MovingScene now;
+  const BoxView seen = now.look(camera);
+  const double height = camera.height();
+  const render::RollingView rows{
+      camera, {{-0.5, now.X_WC, now.X_WL}, {height - 0.5, now.X_WC, now.X_WL}}, 1};
+  render::RollingView next{camera, {}, 4};
+  for (int i = 0; i <= 4; ++i) {
+    const double share = i / 4.0;
+    std::vector<Pose> X_WL = now.X_WL;
+    X_WL[0] = X_WL[0] * pose({0.2 * share, -0.1 * share, 0.02}, {1, 1, 0}, 0.3 * share);
+    next.moments.push_back({share * height - 0.5,
+                            now.X_WC * pose({0.05 * share, 0.01, 0}, {0, 1, 0.2}, 0.03 * share),
+                            X_WL});
+  }
+  const cv::Mat flow = opticalFlow(rows, seen.range, seen.links, next);
+  for (int v = 2; v < 120; v += 5) {
+    for (int u = 2; u < 160; u += 5) {
+      const auto link = static_cast<std::size_t>(seen.links.at<int>(v, u) - 1);
+      const SeenBox box{now.X_WC.inverse() * now.X_WL[link], now.sizes[link], 1};
+      const Eigen::Vector3d ray = *camera.ray({u, v});
+      const Eigen::Vector3d p_L = box.X_CB.inverse() * (test::distanceTo(box, ray) * ray);
+      const auto& step = flow.at<cv::Vec2f>(v, u);
+      const Eigen::Vector2d to(u + static_cast<double>(step[0]), v + static_cast<double>(step[1]));
+      const render::RollingMoment then = next.at(to.y());
+      const Eigen::Vector2d there = projected(camera, then.X_WC.inverse() * then.X_WL[link] * p_L);
+      EXPECT_LT((there - to).norm(), 5e-3) << u << ", " << v;
+    }
+  }
+}
+
 TEST_P(OpticalFlow, IsWhereProjectPointsPutsTheMovedPoints) {
   const MovingScene now;
   MovingScene next = now;

@@ -3,6 +3,7 @@
 #include "render/view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -10,10 +11,12 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "render/lens_cases.h"
 #include "render/renderer.h"
 #include "support/box_world.h"
+#include "world/physics/ray_caster.h"
 #include "world/shape/shape_meshes.h"
 
 namespace synthetic_dataset::render {
@@ -187,6 +190,128 @@ TEST_P(RollingPicture, HasItsRowsUnderASkyInBands) {
   const cv::Mat expected =
       renderer.colour({rolling.camera, middle.X_WC}, middle.X_WL, pass(Sampling::kSmooth));
   EXPECT_EQ(cv::norm(picture(rows), expected(rows), cv::NORM_INF), 0.0);
+}
+
+/// What rays meet at the time of one row, found without drawing anything.
+class RowOfRays {
+ public:
+  RowOfRays(const test::Stage& stage, const RollingView& view, int row)
+      : moment_(view.at(row)), camera_(view.camera), rays_(stage.links(), moment_.X_WL) {}
+
+  /// The link's index + 1, 0 for nothing, and how far away it is.
+  [[nodiscard]] std::pair<int, double> look(const Eigen::Vector2d& pixel) const {
+    const auto ray_C = camera_.ray(pixel);
+    if (!ray_C) return {-1, 0.0};
+    const auto hit =
+        rays_.cast(moment_.X_WC.translation(), moment_.X_WC.linear() * *ray_C, camera_.far());
+    return hit ? std::pair(static_cast<int>(hit->link) + 1, hit->distance) : std::pair(0, 0.0);
+  }
+
+  /// Whether something else is within a small step.
+  [[nodiscard]] bool isEdge(const Eigen::Vector2d& pixel) const {
+    constexpr double kStep = 0.05;  // [px]
+    const auto here = look(pixel);
+    for (int i = 0; i < 9; ++i) {
+      const auto there = look(pixel + kStep * Eigen::Vector2d(i % 3 - 1, i / 3 - 1));
+      if (there.first != here.first || std::abs(there.second - here.second) > 0.003) return true;
+    }
+    return false;
+  }
+
+ private:
+  RollingMoment moment_;
+  const CameraModel& camera_;
+  world::RayCaster rays_;
+};
+
+TEST_P(RollingPicture, ItsLabelsAreWhatRaysMeetAtTheTimesOfTheirRows) {
+  Renderer renderer(description, stage.links(), {});
+  const RollingView rolling = view();
+  LabelPass pass{stage.all()};
+  pass.links = pass.range = pass.normals = true;
+  const LabelImages labels = renderer.labels(rolling, pass);
+  int edges = 0;
+  for (int row = 0; row < kHeight; ++row) {
+    const RowOfRays rays(stage, rolling, row);
+    for (int u = 0; u < kWidth; ++u) {
+      const auto [link, range] = rays.look(Eigen::Vector2d(u, row));
+      if (link < 0) continue;
+      const int found = labels.links.at<int>(row, u);
+      const double distance = double{labels.range.at<float>(row, u)};
+      const double z = rolling.camera.ray(Eigen::Vector2d(u, row))->z();
+      ASSERT_NEAR(double{labels.depth.at<float>(row, u)}, distance * z, 1e-5) << u << ", " << row;
+      if (found != link || std::abs(distance - range) > 1e-3) {
+        EXPECT_TRUE(rays.isEdge(Eigen::Vector2d(u, row)))
+            << u << ", " << row << ": " << found << ", and a ray meets " << link;
+        ++edges;
+      }
+      const int object = link == 0 ? -1 : stage.links()[static_cast<std::size_t>(link - 1)].object;
+      if (found == link) {
+        ASSERT_EQ(labels.ids.at<int>(row, u), object + 1);
+      }
+    }
+  }
+  EXPECT_LT(edges, kWidth * kHeight / 2000);
+}
+
+TEST_P(RollingPicture, ItsNormalsAreThoseOfTheSurfacesAtTheTimesOfTheirRows) {
+  Renderer renderer(description, stage.links(), {});
+  const RollingView rolling = view();
+  LabelPass pass{stage.all()};
+  pass.normals = true;
+  const LabelImages labels = renderer.labels(rolling, pass);
+  int different = 0;
+  for (int row = 0; row < kHeight; row += 7) {
+    const RollingMoment now = rolling.at(row);
+    const LabelImages expected = renderer.labels({rolling.camera, now.X_WC}, now.X_WL, pass);
+    for (int u = 0; u < kWidth; ++u) {
+      const auto& found = labels.normals.at<cv::Vec3f>(row, u);
+      different += cv::norm(found - expected.normals.at<cv::Vec3f>(row, u)) > 0.01 ? 1 : 0;
+    }
+  }
+  EXPECT_LT(different, kWidth * kHeight / 7 / 500);
+}
+
+TEST_P(RollingPicture, ItsSilhouettesAreWhatItsLabelsHaveOfEachObjectAlone) {
+  Renderer renderer(description, stage.links(), {});
+  const RollingView rolling = view();
+  for (std::size_t link = 3; link < 6; ++link) {
+    LinkSelection alone(stage.links().size(), false);
+    alone[link] = true;
+    const Silhouette silhouette = renderer.silhouette(rolling, alone);
+    const cv::Mat expected = renderer.labels(rolling, {alone}).ids > 0;
+    cv::Mat covered = cv::Mat::zeros(expected.size(), CV_8UC1);
+    silhouette.mask.pixels().copyTo(covered(silhouette.mask.bounds()));
+    EXPECT_EQ(cv::norm(covered, expected, cv::NORM_INF), 0.0) << link;
+    EXPECT_EQ(silhouette.pixels_in_image, cv::countNonZero(expected)) << link;
+  }
+}
+
+TEST_P(RollingPicture, ItsSilhouettesGoOnBesideTheImage) {
+  if (GetParam().distortion.model != DistortionModel::kNone) GTEST_SKIP() << "counted in cells";
+  Renderer renderer(description, stage.links(), {});
+  RollingView rolling = view();
+  // The ball enters from the left.
+  for (std::size_t i = 0; i < rolling.moments.size(); ++i) {
+    rolling.moments[i].X_WL[3] = turned(-1.9 + 0.06 * static_cast<double>(i), -0.1, 2.5, 0);
+  }
+  LinkSelection ball(stage.links().size(), false);
+  ball[3] = true;
+  const Silhouette silhouette = renderer.silhouette(rolling, ball);
+  // A picture of the same rows that reaches farther.
+  RollingView wide = rolling;
+  Intrinsics k = rolling.camera.intrinsics();
+  k.cx += kWidth;
+  wide.camera = CameraModel(3 * kWidth, kHeight, k, 0.05, 100.0);
+  const cv::Mat whole = renderer.labels(wide, {ball}).ids > 0;
+  const int all = cv::countNonZero(whole);
+  ASSERT_GT(silhouette.pixels_in_image, 0);
+  ASSERT_LT(silhouette.pixels_in_image, all);
+  EXPECT_NEAR(static_cast<double>(silhouette.pixels), all, 0.01 * all);
+  const cv::Rect bounds = cv::boundingRect(whole);
+  ASSERT_TRUE(silhouette.box.has_value());
+  EXPECT_NEAR(silhouette.box->left, bounds.x - kWidth - 0.5, 3.0);
+  EXPECT_NEAR(silhouette.box->right, bounds.br().x - kWidth - 0.5, 3.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(

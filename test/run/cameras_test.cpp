@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -261,6 +263,45 @@ TEST_F(CamerasTest, ARollingShutterSkewsWhatCrossesTheView) {
   const double lower = leftEdge(image, 80);
   ASSERT_GT(upper, 0);
   EXPECT_NEAR(lower - upper, 14 * 200.0 * 0.2 / 120, 1.1);
+}
+
+TEST_F(CamerasTest, LabelsOfARollingShutterAreThoseOfItsPicture) {
+  recordFastAlpha();
+  parameters["masks"] = base::parseYaml("{method: exact}", "test");
+  generate();
+  // The first scene's rows would be taken before the recording begins, so that it is left out then.
+  const std::string still = test::readFile(file("stvnet/alpha/mask/00000003.png"));
+  setEffects({{"readout_time", Value(0.2)}, {"readout_bands", Value(120)}});
+  parameters["if_exists"] = Value("overwrite");
+  for (const std::string method : {"exact", "mog2"}) {
+    parameters["masks"] = base::parseYaml("{method: " + method + "}", "test");
+    generate();
+    const cv::Mat image = picture("yolo/00000002.png");
+    const cv::Mat mask = cv::imread(file("stvnet/alpha/mask/00000002.png"), cv::IMREAD_GRAYSCALE);
+    const cv::Rect bounds = cv::boundingRect(mask > 0);
+    int compared = 0;
+    for (int row = bounds.y + 2; row < bounds.br().y - 2; ++row) {
+      const double edge = leftEdge(image, row);
+      if (edge <= 0.0) continue;
+      const cv::Mat here = mask.row(row) > 0;
+      EXPECT_NEAR(cv::boundingRect(here).x, edge, 1.0) << method << ", row " << row;
+      ++compared;
+    }
+    EXPECT_GT(compared, 10);
+    // The box is one around the projected shape: as far as the mask reaches, and little farther.
+    std::istringstream label(test::readFile(file("yolo/00000002.txt")));
+    std::string name;
+    double centre = 0.0;
+    double middle = 0.0;
+    double width = 0.0;
+    label >> name >> centre >> middle >> width;
+    EXPECT_NEAR((centre - 0.5 * width) * image.cols - 0.5, bounds.x - 0.5, 3.0) << method;
+    EXPECT_NEAR((centre + 0.5 * width) * image.cols - 0.5, bounds.br().x - 0.5, 3.0) << method;
+  }
+  parameters["masks"] = base::parseYaml("{method: exact}", "test");
+  parameters["labels"] = base::parseYaml("{rolling_shutter: mid_exposure}", "test");
+  generate();
+  EXPECT_TRUE(test::readFile(file("stvnet/alpha/mask/00000002.png")) == still);
 }
 
 TEST_F(CamerasTest, NoiseIsInThePictureAndNotInTheMask) {

@@ -39,11 +39,10 @@ cv::Mat normalsOf(const LensSight& sight) {
   auto* to = normals.ptr<cv::Vec3f>();
   for (std::size_t i = 0; i < sight.triangles.total(); ++i) {
     if (triangles[i] < 0) continue;
-    const auto item =
-        static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangles[i])].item);
-    const Eigen::Vector3f normal =
-        seenNormal(sight.triangleAt(triangles[i]), (*sight.surfaces)[item],
-                   sight.X_CV[item].linear().cast<float>(), Eigen::Vector3f(rays[i].val));
+    const SeenTriangle& seen = sight.seen[static_cast<std::size_t>(triangles[i])];
+    const Eigen::Vector3f normal = seenNormal(
+        sight.triangleAt(triangles[i]), (*sight.surfaces)[static_cast<std::size_t>(seen.item)],
+        sight.poseOf(seen).linear().cast<float>(), Eigen::Vector3f(rays[i].val));
     to[i] = {normal.x(), normal.y(), normal.z()};
   }
   return normals;
@@ -160,6 +159,10 @@ LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   LabelImages images = paintPinhole(view, X_WL, pass);
   if (pass.range) images.range = rangeOf(images.depth, view.camera.intrinsics());
   return images;
+}
+
+LabelImages LabelPainter::paint(const RollingView& rows, const LabelPass& pass) {
+  return labelsOf(*eye_.look(rows, pass.drawn, Glass::kSeen), draw_list_, pass);
 }
 
 }  // namespace synthetic_dataset::render

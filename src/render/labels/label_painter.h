@@ -38,6 +38,9 @@ class LabelPainter {
   [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
                                   const LabelPass& pass);
 
+  /// The same of a picture whose rows are taken one after the other.
+  [[nodiscard]] LabelImages paint(const RollingView& rows, const LabelPass& pass);
+
  private:
   /// Without LabelImages::range.
   [[nodiscard]] LabelImages paintPinhole(const View& view, const std::vector<Pose>& X_WL,

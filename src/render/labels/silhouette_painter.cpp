@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <opencv2/core.hpp>
 
@@ -9,10 +10,9 @@
 #include "render/shaders.h"
 
 namespace synthetic_dataset::render {
-namespace {
 
 /// A picture of a part of the image's plane, in cells of one or more pixels.
-struct Window {
+struct SilhouettePainter::Window {
   CameraModel camera;
   double left = 0.0;  ///< the first cell's edge [px]
   double top = 0.0;
@@ -23,11 +23,23 @@ struct Window {
     return {left + u * cell_width, top + v * cell_height, left + (u + 1) * cell_width,
             top + (v + 1) * cell_height};
   }
+
+  /// The camera's view of `columns` x `rows` cells, the first of which begins at (left, top).
+  [[nodiscard]] static Window make(const CameraModel& camera, double left, double top,
+                                   double cell_width, double cell_height, const cv::Size& cells);
+
+  /// The camera's own image.
+  [[nodiscard]] static Window image(const CameraModel& camera) {
+    return {camera, -0.5, -0.5, 1.0, 1.0};
+  }
+
+  [[nodiscard]] cv::Rect cellsWithin(const Box& box) const;
 };
 
-/// The camera's view of `columns` x `rows` cells, the first of which begins at (left, top).
-Window makeWindow(const CameraModel& camera, double left, double top, double cell_width,
-                  double cell_height, const cv::Size& cells) {
+SilhouettePainter::Window SilhouettePainter::Window::make(const CameraModel& camera, double left,
+                                                          double top, double cell_width,
+                                                          double cell_height,
+                                                          const cv::Size& cells) {
   const Intrinsics& k = camera.intrinsics();
   const Intrinsics inner{k.fx / cell_width, k.fy / cell_height, (k.cx - left) / cell_width - 0.5,
                          (k.cy - top) / cell_height - 0.5};
@@ -36,22 +48,21 @@ Window makeWindow(const CameraModel& camera, double left, double top, double cel
           left, top, cell_width, cell_height};
 }
 
-/// The cells of a window that a box touches.
-cv::Rect cellsWithin(const Window& window, const Box& box) {
-  const int width = window.camera.width();
-  const int height = window.camera.height();
+/// The cells that a box touches.
+cv::Rect SilhouettePainter::Window::cellsWithin(const Box& box) const {
   const auto cell = [](double place, int count) {
     return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count)));
   };
-  const cv::Point low(cell(std::floor((box.left - window.left) / window.cell_width), width),
-                      cell(std::floor((box.top - window.top) / window.cell_height), height));
-  const cv::Point high(cell(std::ceil((box.right - window.left) / window.cell_width), width),
-                       cell(std::ceil((box.bottom - window.top) / window.cell_height), height));
+  const int width = camera.width();
+  const int height = camera.height();
+  const cv::Point low(cell(std::floor((box.left - left) / cell_width), width),
+                      cell(std::floor((box.top - top) / cell_height), height));
+  const cv::Point high(cell(std::ceil((box.right - left) / cell_width), width),
+                       cell(std::ceil((box.bottom - top) / cell_height), height));
   return {low, high};
 }
 
-/// The camera's own image.
-Window imageWindow(const CameraModel& camera) { return {camera, -0.5, -0.5, 1.0, 1.0}; }
+namespace {
 
 /// The image and as much again on each of its sides.
 Box canvasOf(const CameraModel& camera) {
@@ -78,9 +89,16 @@ double areaOf(const Box& box) { return box.width() * box.height(); }
 
 }  // namespace
 
-struct SilhouettePainter::Subject {
+/// Where all is at one time.
+struct SilhouettePainter::Instant {
+  Pose X_WC;
   const std::vector<Pose>& X_WL;
+  double end_row;  ///< before which rows of the image's plane are of this time
+};
+
+struct SilhouettePainter::Subject {
   const LinkSelection& links;
+  std::vector<Instant> instants;  ///< in the order of their rows
 
   [[nodiscard]] bool has(const DrawItem& item) const {
     return links[item.link] && !item.seen_through_in_labels;
@@ -133,24 +151,27 @@ SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& draw
                 feature::kHoles | feature::kNearLimit) {}
 
 /// Where the subject may have pixels.
-std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const View& view) const {
+std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject,
+                                               const CameraModel& camera) const {
   // Through a lens, bounds are costly: they are taken of all items together, which is never less.
-  const bool together = hasDistortion(view.camera);
-  const Pose X_CW = view.X_WC.inverse();
+  const bool together = hasDistortion(camera);
   std::optional<Box> bounds;
   std::vector<Eigen::Vector3d> corners_C;
   const auto add = [&] {
     if (corners_C.empty()) return;
-    if (const auto box = view.camera.projectedBounds(corners_C)) expand(bounds, *box);
+    if (const auto box = camera.projectedBounds(corners_C)) expand(bounds, *box);
     corners_C.clear();
   };
-  for (const DrawItem& item : draw_list_.items()) {
-    if (!subject.has(item) || item.bounds_V.isEmpty()) continue;
-    const Pose X_CV = X_CW * subject.X_WL[item.link] * item.X_LV;
-    for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) {
-      corners_C.push_back(X_CV * corner);
+  for (const Instant& instant : subject.instants) {
+    const Pose X_CW = instant.X_WC.inverse();
+    for (const DrawItem& item : draw_list_.items()) {
+      if (!subject.has(item) || item.bounds_V.isEmpty()) continue;
+      const Pose X_CV = X_CW * instant.X_WL[item.link] * item.X_LV;
+      for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) {
+        corners_C.push_back(X_CV * corner);
+      }
+      if (!together) add();
     }
-    if (!together) add();
   }
   add();
   if (!bounds) return std::nullopt;
@@ -160,48 +181,72 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject, const Vie
 }
 
 cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
-                                       const cv::Rect& region) {
+                                       const std::vector<Pose>& X_WL, const cv::Rect& region) {
   const cv::Size size(view.camera.width(), view.camera.height());
   const Framebuffer& target = holding(gl_, size, {GL_R8}, GL_NONE, target_);
   target.bind(size, region);
   target.clear(0, {});
   for (const DrawItem& item : draw_list_.items()) {
     if (!subject.has(item)) continue;
-    drawSurface(gl_, programs_.get(item.features | featuresOf(view)), item, view,
-                subject.X_WL[item.link]);
+    drawSurface(gl_, programs_.get(item.features | featuresOf(view)), item, view, X_WL[item.link]);
   }
   return target.read(0, region);
 }
 
-/// The pixels `region` of the view's image: CV_8UC1 of the region's size.
-cv::Mat SilhouettePainter::draw(const Subject& subject, const View& view, const cv::Rect& region) {
-  if (!hasDistortion(view.camera)) return drawPinhole(subject, view, region);
+/// The cells `region` of a window's camera: CV_8UC1 of the region's size.
+cv::Mat SilhouettePainter::drawAt(const Instant& instant, const Subject& subject,
+                                  const CameraModel& camera, const cv::Rect& region) {
+  const View view{camera, instant.X_WC};
+  if (!hasDistortion(camera)) return drawPinhole(subject, view, instant.X_WL, region);
   std::vector<const DrawItem*> items;
   for (const DrawItem& item : draw_list_.items()) {
     if (subject.has(item)) items.push_back(&item);
   }
-  return eye_.covered(view, subject.X_WL, items)(region).clone();
+  return eye_.covered(view, instant.X_WL, items)(region).clone();
+}
+
+/// The same, each row as it is at its time.
+cv::Mat SilhouettePainter::draw(const Subject& subject, const Window& window,
+                                const cv::Rect& region) {
+  if (subject.instants.size() == 1) {
+    return drawAt(subject.instants.front(), subject, window.camera, region);
+  }
+  cv::Mat mask(region.size(), CV_8UC1);
+  int first = region.y;
+  for (const Instant& instant : subject.instants) {
+    int end = first;
+    const auto isOfInstant = [&](int row) {
+      return window.top + (row + 0.5) * window.cell_height < instant.end_row;
+    };
+    while (end < region.br().y && isOfInstant(end)) ++end;
+    if (end == first) continue;
+    const cv::Rect rows(region.x, first, region.width, end - first);
+    drawAt(instant, subject, window.camera, rows)
+        .copyTo(mask.rowRange(first - region.y, end - region.y));
+    first = end;
+  }
+  return mask;
 }
 
 /// The grid of pixels goes on in pictures of the image's size.
-void SilhouettePainter::addBesideTheImage(const Subject& subject, const View& view,
+void SilhouettePainter::addBesideTheImage(const Subject& subject, const CameraModel& camera,
                                           const Box& bounds, Tally& tally) {
-  const cv::Size size(view.camera.width(), view.camera.height());
+  const cv::Size size(camera.width(), camera.height());
   for (int row = -1; row <= 1; ++row) {
     for (int column = -1; column <= 1; ++column) {
       if (row == 0 && column == 0) continue;
-      const Window window = makeWindow(view.camera, column * size.width - 0.5,
-                                       row * size.height - 0.5, 1.0, 1.0, size);
-      const cv::Rect region = cellsWithin(window, bounds);
+      const Window window =
+          Window::make(camera, column * size.width - 0.5, row * size.height - 0.5, 1.0, 1.0, size);
+      const cv::Rect region = window.cellsWithin(bounds);
       if (region.empty()) continue;
-      tally.addPixels(window, region, draw(subject, {window.camera, view.X_WC}, region));
+      tally.addPixels(window, region, draw(subject, window, region));
     }
   }
 }
 
 /// Adds what lies beyond the canvas, in enough cells to reach the bounds.
-void SilhouettePainter::addFarAway(const Subject& subject, const View& view, const Box& bounds,
-                                   Tally& tally) {
+void SilhouettePainter::addFarAway(const Subject& subject, const CameraModel& camera,
+                                   const Box& bounds, Tally& tally) {
   const auto edgeBefore = [](double place) { return std::floor(place + 0.5) - 0.5; };
   const double left = edgeBefore(bounds.left);
   const double top = edgeBefore(bounds.top);
@@ -209,53 +254,74 @@ void SilhouettePainter::addFarAway(const Subject& subject, const View& view, con
   const double cell_height = std::ceil((bounds.bottom - top) / kCoarseCells);
   const cv::Size count(static_cast<int>(std::ceil((bounds.right - left) / cell_width)),
                        static_cast<int>(std::ceil((bounds.bottom - top) / cell_height)));
-  const Window window = makeWindow(view.camera, left, top, cell_width, cell_height, count);
+  const Window window = Window::make(camera, left, top, cell_width, cell_height, count);
   const cv::Rect region({0, 0}, count);
-  tally.addCells(window, region, draw(subject, {window.camera, view.X_WC}, region),
-                 canvasOf(view.camera));
+  tally.addCells(window, region, draw(subject, window, region), canvasOf(camera));
 }
 
-void SilhouettePainter::addBesideTheLens(const Subject& subject, const View& view,
+void SilhouettePainter::addBesideTheLens(const Subject& subject, const CameraModel& camera,
                                          const Box& bounds, Tally& tally) {
   constexpr double kMostCells = 4.2e6;  // a lens map takes some 50 bytes a cell, and time to make
   constexpr double kLongestSide = 16384.0;
-  const Box canvas = canvasOf(view.camera);
+  const Box canvas = canvasOf(camera);
   const double longest = std::max(canvas.width(), canvas.height());
   const double cell =
       std::ceil(std::max(std::sqrt(areaOf(canvas) / kMostCells), longest / kLongestSide));
   const cv::Size count(static_cast<int>(std::ceil(canvas.width() / cell)),
                        static_cast<int>(std::ceil(canvas.height() / cell)));
-  const Window window = makeWindow(view.camera, canvas.left, canvas.top, cell, cell, count);
-  const cv::Rect region = cellsWithin(window, bounds);
+  const Window window = Window::make(camera, canvas.left, canvas.top, cell, cell, count);
+  const cv::Rect region = window.cellsWithin(bounds);
   if (region.empty()) return;
-  tally.addCells(window, region, draw(subject, {window.camera, view.X_WC}, region),
-                 view.camera.imageBounds());
+  tally.addCells(window, region, draw(subject, window, region), camera.imageBounds());
 }
 
 Silhouette SilhouettePainter::paint(const View& view, const std::vector<Pose>& X_WL,
                                     const LinkSelection& links,
                                     const std::optional<CoveredPixels>& in_image) {
-  const Subject subject{X_WL, links};
+  constexpr double kAllRows = std::numeric_limits<double>::infinity();
+  return paint({links, {{view.X_WC, X_WL, kAllRows}}}, view.camera, in_image);
+}
+
+Silhouette SilhouettePainter::paint(const RollingView& rows, const LinkSelection& links) {
+  Subject subject{links, {}};
+  for (std::size_t i = 0; i < rows.moments.size(); ++i) {
+    const RollingMoment& moment = rows.moments[i];
+    const bool is_last = i + 1 == rows.moments.size();
+    subject.instants.push_back({moment.X_WC, moment.X_WL,
+                                is_last ? std::numeric_limits<double>::infinity()
+                                        : 0.5 * (moment.row + rows.moments[i + 1].row)});
+  }
+  std::vector<const DrawItem*> items;
+  for (const DrawItem& item : draw_list_.items()) {
+    if (subject.has(item)) items.push_back(&item);
+  }
+  const cv::Rect image(0, 0, rows.camera.width(), rows.camera.height());
+  return paint(subject, rows.camera,
+               CoveredPixels{image, eye_.covered(rows, RowPoses(rows, draw_list_, links), items)});
+}
+
+Silhouette SilhouettePainter::paint(const Subject& subject, const CameraModel& camera,
+                                    const std::optional<CoveredPixels>& in_image) {
   Silhouette silhouette;
-  const cv::Size image_size(view.camera.width(), view.camera.height());
+  const cv::Size image_size(camera.width(), camera.height());
   silhouette.mask = Mask(image_size);
-  const std::optional<Box> bounds = boundsOf(subject, view);
+  const std::optional<Box> bounds = boundsOf(subject, camera);
   if (!bounds) return silhouette;
   Tally tally;
-  const Window image = imageWindow(view.camera);
-  const cv::Rect region = in_image ? in_image->place : cellsWithin(image, *bounds);
+  const Window image = Window::image(camera);
+  const cv::Rect region = in_image ? in_image->place : image.cellsWithin(*bounds);
   if (!region.empty()) {
-    const cv::Mat covered = in_image ? in_image->mask : draw(subject, view, region);
+    const cv::Mat covered = in_image ? in_image->mask : draw(subject, image, region);
     silhouette.mask = Mask(covered, region.tl(), image_size);
     tally.addPixels(image, region, covered);
     silhouette.pixels_in_image = tally.pixels();
   }
-  if (!holds(view.camera.imageBounds(), *bounds)) {
-    if (hasDistortion(view.camera)) {
-      addBesideTheLens(subject, view, *bounds, tally);
+  if (!holds(camera.imageBounds(), *bounds)) {
+    if (hasDistortion(camera)) {
+      addBesideTheLens(subject, camera, *bounds, tally);
     } else {
-      addBesideTheImage(subject, view, *bounds, tally);
-      if (!holds(canvasOf(view.camera), *bounds)) addFarAway(subject, view, *bounds, tally);
+      addBesideTheImage(subject, camera, *bounds, tally);
+      if (!holds(canvasOf(camera), *bounds)) addFarAway(subject, camera, *bounds, tally);
     }
   }
   silhouette.pixels = tally.pixels();

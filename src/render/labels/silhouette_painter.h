@@ -38,6 +38,9 @@ struct CoveredPixels {
 /// drawn in up to kCoarseCells x kCoarseCells cells of whole pixels, counted by their area. Through
 /// a lens with distortion it goes on up to one image's width and height, or as far as the lens
 /// sees; in large images in cells of several pixels.
+///
+/// Of a picture whose rows are taken one after the other, each row of the image is of its own time.
+/// Beside the image, rows are of the nearest moment that the view has.
 class SilhouettePainter {
  public:
   static constexpr int kCoarseCells = 1024;
@@ -51,17 +54,30 @@ class SilhouettePainter {
                                  const LinkSelection& links,
                                  const std::optional<CoveredPixels>& in_image);
 
+  /// The same of a picture whose rows are taken one after the other.
+  [[nodiscard]] Silhouette paint(const RollingView& rows, const LinkSelection& links);
+
  private:
+  struct Instant;
   struct Subject;  ///< what is painted, and where it stands
+  struct Window;
   class Tally;
 
-  [[nodiscard]] std::optional<Box> boundsOf(const Subject& subject, const View& view) const;
+  [[nodiscard]] Silhouette paint(const Subject& subject, const CameraModel& camera,
+                                 const std::optional<CoveredPixels>& in_image);
+  [[nodiscard]] std::optional<Box> boundsOf(const Subject& subject,
+                                            const CameraModel& camera) const;
   [[nodiscard]] cv::Mat drawPinhole(const Subject& subject, const View& view,
-                                    const cv::Rect& region);
-  [[nodiscard]] cv::Mat draw(const Subject& subject, const View& view, const cv::Rect& region);
-  void addBesideTheImage(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
-  void addFarAway(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
-  void addBesideTheLens(const Subject& subject, const View& view, const Box& bounds, Tally& tally);
+                                    const std::vector<Pose>& X_WL, const cv::Rect& region);
+  [[nodiscard]] cv::Mat drawAt(const Instant& instant, const Subject& subject,
+                               const CameraModel& camera, const cv::Rect& region);
+  [[nodiscard]] cv::Mat draw(const Subject& subject, const Window& window, const cv::Rect& region);
+  void addBesideTheImage(const Subject& subject, const CameraModel& camera, const Box& bounds,
+                         Tally& tally);
+  void addFarAway(const Subject& subject, const CameraModel& camera, const Box& bounds,
+                  Tally& tally);
+  void addBesideTheLens(const Subject& subject, const CameraModel& camera, const Box& bounds,
+                        Tally& tally);
 
   const GlFunctions& gl_;
   const DrawList& draw_list_;

@@ -91,6 +91,7 @@ void LensEye::forget() {
   standing_.clear();
   recent_.forget();
   last_.reset();
+  last_in_rows_.reset();
   pyramids_.forgetUnused();
 }
 
@@ -215,13 +216,22 @@ const std::vector<RowRayGrid>& LensEye::rowGrids(const std::shared_ptr<const Len
   return row_grids_.grids;
 }
 
-std::shared_ptr<const LensSight> LensEye::lookInRows(const View& view,
-                                                     const std::vector<Pose>& X_WL,
-                                                     const LinkSelection& drawn,
-                                                     const std::shared_ptr<const RowPoses>& rows) {
-  const auto lens = lenses_.get(view.camera);
+std::shared_ptr<const LensSight> LensEye::look(const RollingView& rolling,
+                                               const LinkSelection& drawn, Glass glass) {
+  if (glass == Glass::kSeen && !draw_list_.hasGlassInLabels(drawn)) glass = Glass::kSeenThrough;
+  const auto lens = lenses_.get(rolling.camera);
+  LastInRows now{lens, {}, {}, drawn, glass, nullptr};
+  for (const RollingMoment& moment : rolling.moments) {
+    now.rows.push_back(moment.row);
+    now.poses.push_back(moment.X_WC.matrix());
+    for (const Pose& X_WL : moment.X_WL) now.poses.push_back(X_WL.matrix());
+  }
+  if (keeps_ && last_in_rows_ && last_in_rows_->isAs(now)) return last_in_rows_->sight;
+  const auto rows = std::make_shared<const RowPoses>(rolling, draw_list_, drawn);
+  const RollingMoment middle = rolling.middle();
+  const View view{rolling.camera, middle.X_WC};
   const std::vector<RowRayGrid>& grids = rowGrids(lens);
-  const Standing* before = rows->cameraStands() ? &standing(view, X_WL, drawn) : nullptr;
+  const Standing* before = rows->cameraStands() ? &standing(view, middle.X_WL, drawn) : nullptr;
   const std::shared_ptr<LensSight> sight =
       copyOf(before != nullptr ? before->sight : nothingSeen(lens));
   RaySights sights(grids);
@@ -233,18 +243,27 @@ std::shared_ptr<const LensSight> LensEye::lookInRows(const View& view,
   const RayRaster::IsHole is_hole = holesIn(draw_list_, surfaces());
   const RowRaster raster(*rows, *lens, grids, is_hole);
   const Pose X_CW = view.X_WC.inverse();
+  const auto draw = [&](const DrawItem* item) {
+    raster.draw(*item, static_cast<int>(draw_list_.numberOf(*item)), sights);
+  };
   for (const bool stand_still : {true, false}) {
     if (stand_still && before != nullptr) continue;
-    for (const DrawItem* item : draw_list_.solidItems(X_CW, X_WL, drawn, stand_still)) {
-      raster.draw(*item, static_cast<int>(draw_list_.numberOf(*item)), sights);
+    const auto items = draw_list_.solidItems(X_CW, middle.X_WL, drawn, stand_still);
+    std::for_each(items.begin(), items.end(), draw);
+  }
+  if (glass == Glass::kSeen) {
+    for (const DrawItem* item : draw_list_.transparentItems(X_CW, middle.X_WL, drawn)) {
+      if (!item->seen_through_in_labels) draw(item);
     }
   }
-  sight->X_CV = posesOfItems(X_CW, X_WL);
+  sight->X_CV = posesOfItems(X_CW, middle.X_WL);
   sight->rows = rows;
   sight->seen = std::move(sights.seen);
   for (std::size_t face = 0; face < grids.size(); ++face) {
     fillPixels(grids[face].grid.rays, sights.triangles[face], known, *sight);
   }
+  now.sight = sight;
+  last_in_rows_ = std::move(now);
   return sight;
 }
 
@@ -257,6 +276,20 @@ cv::Mat LensEye::covered(const View& view, const std::vector<Pose>& X_WL,
   const RayRaster raster(view, *lens, lens->grids, is_hole);
   for (const DrawItem* item : covering) {
     raster.visitCovered(*item, X_WL[item->link], [&](int ray) { pixels[ray] = 255; });
+  }
+  return mask;
+}
+
+cv::Mat LensEye::covered(const RollingView& rows, const RowPoses& poses,
+                         const std::vector<const DrawItem*>& covering) {
+  const auto lens = lenses_.get(rows.camera);
+  cv::Mat mask = cv::Mat::zeros(lens->face.size(), CV_8UC1);
+  auto* pixels = mask.ptr<std::uint8_t>();
+  const RayRaster::IsHole is_hole = holesIn(draw_list_, surfaces());
+  const RowRaster raster(poses, *lens, rowGrids(lens), is_hole);
+  for (const DrawItem* item : covering) {
+    raster.visitCovered(*item, static_cast<int>(draw_list_.numberOf(*item)),
+                        [&](int ray) { pixels[ray] = 255; });
   }
   return mask;
 }

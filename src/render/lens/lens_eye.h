@@ -31,14 +31,17 @@ class LensEye {
                                                       const std::vector<Pose>& X_WL,
                                                       const LinkSelection& drawn, Glass glass);
 
-  /// The same of a picture whose rows are taken one after the other. One sees through glass.
-  /// @param view, X_WL  of some time in between
-  [[nodiscard]] std::shared_ptr<const LensSight> lookInRows(
-      const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
-      const std::shared_ptr<const RowPoses>& rows);
+  /// The same of a picture whose rows are taken one after the other.
+  [[nodiscard]] std::shared_ptr<const LensSight> look(const RollingView& rows,
+                                                      const LinkSelection& drawn, Glass glass);
 
   /// CV_8UC1: 255 for the pixels whose rays would meet these items if there were no others.
   [[nodiscard]] cv::Mat covered(const View& view, const std::vector<Pose>& X_WL,
+                                const std::vector<const DrawItem*>& covering);
+
+  /// The same of a picture whose rows are taken one after the other.
+  /// @param poses  of `rows`, of the items' links at least
+  [[nodiscard]] cv::Mat covered(const RollingView& rows, const RowPoses& poses,
                                 const std::vector<const DrawItem*>& covering);
 
   /// Everything looks different now.
@@ -61,6 +64,21 @@ class LensEye {
     LinkSelection drawn;
     Glass glass;
     std::shared_ptr<const LensSight> sight;
+  };
+
+  /// The last look of which each row is of its own time.
+  struct LastInRows {
+    std::shared_ptr<const LensMap> lens;
+    std::vector<double> rows;
+    std::vector<Eigen::Matrix4d> poses;  ///< at each of these, the camera's and the links'
+    LinkSelection drawn;
+    Glass glass;
+    std::shared_ptr<const LensSight> sight;
+
+    [[nodiscard]] bool isAs(const LastInRows& other) const {
+      return lens == other.lens && rows == other.rows && drawn == other.drawn &&
+             glass == other.glass && poses == other.poses;
+    }
   };
 
   /// The rays of a lens, row by row.
@@ -86,6 +104,7 @@ class LensEye {
   std::deque<Standing> standing_;                             ///< the last used first
   RecentViews recent_;                                        ///< that were not found in standing_
   std::optional<Last> last_;
+  std::optional<LastInRows> last_in_rows_;
   RowGrids row_grids_;  ///< of the lens that was used last
 };
 

@@ -42,6 +42,24 @@ class RowRays {
   std::size_t row_ = 0;
 };
 
+/// Passes on which rays an item covers.
+struct CoveredRays {
+  const std::vector<int>& rays;
+  bool has_holes;
+  const std::function<void(int ray)>& visit;
+
+  void beginTriangles(int /*row*/) {}
+
+  void operator()(std::size_t at, const Lanes& covered, const Lanes& /*inverse_depth*/,
+                  const FaceDrawing<RowRays>& here) const {
+    const int bits = cv::v_signmask(covered);
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      if ((bits >> i & 1) == 0 || (has_holes && here.isHole(at + i))) continue;
+      visit(rays[at + i]);
+    }
+  }
+};
+
 /// How far points within some bounds are at most from the straight ways between where they are at
 /// the first and at the last of some poses.
 double farthestFromLine(const Bounds& bounds, const std::vector<Pose>& poses) {
@@ -78,7 +96,8 @@ class RowRaster::OnRows {
         near_(raster.lens_.faces[face].camera.near()),
         drawing_(raster.lens_.faces[face], rays_, item, raster.is_hole_) {}
 
-  void draw(SightRecorder& see) {
+  template <class See>
+  void draw(See& see) {
     constexpr int kRows = 24;
     for (int first = 0; first < poses_.rowCount(); first += kRows) {
       const int end = std::min(first + kRows, poses_.rowCount());
@@ -140,7 +159,8 @@ class RowRaster::OnRows {
     return std::none_of(beside.begin(), beside.end(), [](bool each) { return each; });
   }
 
-  void drawTriangles(SightRecorder& see) {
+  template <class See>
+  void drawTriangles(See& see) {
     const world::Mesh& mesh = *item_.shape;
     ways_.clear();
     ways_.reserve(mesh.positions.size());
@@ -185,7 +205,8 @@ class RowRaster::OnRows {
            one.bottom >= other.top;
   }
 
-  void drawTriangle(std::uint32_t first, const RowRayGrid::Bounds& around, SightRecorder& see) {
+  template <class See>
+  void drawTriangle(std::uint32_t first, const RowRayGrid::Bounds& around, See& see) {
     const world::Mesh& mesh = *item_.shape;
     const auto corner = [&](const Pose& X_FV, std::uint32_t i) {
       return drawing_.cornerAt(X_FV * mesh.positions[mesh.indices[first + i]].cast<double>());
@@ -223,6 +244,14 @@ class RowRaster::OnRows {
 void RowRaster::draw(const DrawItem& item, int number, RaySights& sights) const {
   for (std::size_t face = 0; face < grids_.size(); ++face) {
     SightRecorder see(item, number, face, sights);
+    OnRows(*this, face, item, number).draw(see);
+  }
+}
+
+void RowRaster::visitCovered(const DrawItem& item, int number,
+                             const std::function<void(int ray)>& visit) const {
+  for (std::size_t face = 0; face < grids_.size(); ++face) {
+    CoveredRays see{grids_[face].grid.rays, item.has_holes, visit};
     OnRows(*this, face, item, number).draw(see);
   }
 }

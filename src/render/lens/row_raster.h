@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "render/lens/lens_map.h"
@@ -23,6 +24,10 @@ class RowRaster {
 
   /// Draws an item over what was drawn before, as RayRaster does.
   void draw(const DrawItem& item, int number, RaySights& sights) const;
+
+  /// Calls visit(index) for each ray that would see the item if it were alone; maybe several times.
+  void visitCovered(const DrawItem& item, int number,
+                    const std::function<void(int ray)>& visit) const;
 
  private:
   class OnRows;

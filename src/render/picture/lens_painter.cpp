@@ -318,10 +318,9 @@ std::vector<LensPainter::Band> LensPainter::bandsOfRows(const ColourScene& scene
 PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingView& rows,
                                         const LinkSelection& casting, bool smooth) {
   smooth = smooth && crew_.smooths;
-  const auto poses = std::make_shared<const RowPoses>(rows, crew_.draw_list, scene.drawn);
-  const auto sight = eye_.lookInRows(scene.view, scene.X_WL, scene.drawn, poses);
+  const auto sight = eye_.look(rows, scene.drawn, Glass::kSeenThrough);
   const cv::Size size = sight->items.size();
-  const Kept* before = poses->cameraStands() ? kept(scene, *sight, casting, smooth) : nullptr;
+  const Kept* before = sight->rows->cameraStands() ? kept(scene, *sight, casting, smooth) : nullptr;
   const std::vector<Band> bands = bandsOfRows(scene, rows, casting);
   std::vector<UnlitPixels> lights;
   PossibleChanges possible = changesOf(size);

@@ -20,6 +20,10 @@ class StvNet : public PluginTest {
                                          const std::vector<Eigen::Vector3d>& keypoints_O) {
     SceneObject result = seen(name, {100, 100, 5, 5});
     result.keypoints_O = keypoints_O;
+    const CameraModel camera = scene(0, {}).camera;
+    for (const Eigen::Vector3d& p_O : keypoints_O) {
+      result.keypoints.emplace_back().pixel = camera.project(*result.X_CO * p_O);
+    }
     return result;
   }
 
