@@ -25,7 +25,7 @@ import trial
 
 FAMILIES = ('kills', 'exact_places', 'shards', 'stop_signals', 'full_disk', 'folders', 'limits',
             'surroundings', 'changes', 'power_cut', 'two_runs', 'manifests', 'clock', 'recordings',
-            'parts', 'hostile')
+            'parts', 'twin_parts', 'random_worlds', 'hostile')
 
 LONGEST_LINE = 400
 MEMORY = '/dev/shm'
