@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <fstream>
+#include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <utility>
 
@@ -10,6 +12,7 @@
 #include <rosbag/view.h>
 
 #include "base/input_file.h"
+#include "base/plugin_mutex.h"
 #include "motion/bag/bag_check.h"
 #include "motion/bag/ros_time.h"
 #include "synthetic_dataset/errors.h"
@@ -142,6 +145,19 @@ class Ros1Messages : public BagMessages {
   std::unordered_map<const void*, Connection> connections_;  ///< by their headers
 };
 
+struct CloseBag {
+  void operator()(rosbag::Bag* bag) const {
+    const std::lock_guard<std::mutex> lock(base::pluginMutex());
+    delete bag;  // NOLINT(cppcoreguidelines-owning-memory): by the pointer that owns it
+  }
+};
+
+/// Opens a bag, with the plugin that decrypts it.
+std::unique_ptr<rosbag::Bag, CloseBag> openedBag(const std::string& file) {
+  const std::lock_guard<std::mutex> lock(base::pluginMutex());
+  return std::unique_ptr<rosbag::Bag, CloseBag>(new rosbag::Bag(file));
+}
+
 class Ros1Bag : public Bag {
  public:
   explicit Ros1Bag(const std::string& file) : file_(file) {
@@ -161,7 +177,7 @@ class Ros1Bag : public Bag {
     return reading(file_, [&]() -> std::unique_ptr<BagMessages> {
       // One message is looked for again after all of its topic were checked.
       const MessagePlaces places = recorded ? MessagePlaces{} : checkBag(file_, is_read);
-      return std::make_unique<Ros1Messages>(bag_, is_read, recorded, places);
+      return std::make_unique<Ros1Messages>(*bag_, is_read, recorded, places);
     });
   }
 
@@ -171,8 +187,8 @@ class Ros1Bag : public Bag {
 
  private:
   void open() {
-    bag_.open(file_);
-    rosbag::View all(bag_);
+    bag_ = openedBag(file_);
+    rosbag::View all(*bag_);
     if (all.size() > 0) times_ = {toStamp(all.getBeginTime()), toStamp(all.getEndTime())};
     for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
       const bool is_known = std::any_of(topics_.begin(), topics_.end(), [&](const BagTopic& each) {
@@ -186,7 +202,7 @@ class Ros1Bag : public Bag {
   }
 
   std::string file_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag, CloseBag> bag_;
   std::vector<BagTopic> topics_;
   std::optional<RecordedTimes> times_;
 };

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <sstream>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <pluginlib/class_loader.hpp>
 
 #include "base/name_list.h"
+#include "base/plugin_mutex.h"
 #include "base/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -16,17 +18,18 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Keeps class_loader from printing what it throws as well.
-class QuietConsole {
+/// No other thread works with plugins meanwhile, and class_loader does not print what it throws.
+class PluginWork {
  public:
-  QuietConsole() : level_(console_bridge::getLogLevel()) {
+  PluginWork() : lock_(base::pluginMutex()), level_(console_bridge::getLogLevel()) {
     console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE);
   }
-  ~QuietConsole() { console_bridge::setLogLevel(level_); }
-  QuietConsole(const QuietConsole&) = delete;
-  QuietConsole& operator=(const QuietConsole&) = delete;
+  ~PluginWork() { console_bridge::setLogLevel(level_); }
+  PluginWork(const PluginWork&) = delete;
+  PluginWork& operator=(const PluginWork&) = delete;
 
  private:
+  std::lock_guard<std::mutex> lock_;
   console_bridge::LogLevel level_;
 };
 
@@ -58,7 +61,7 @@ using PluginLoader = pluginlib::ClassLoader<LabelWriter>;
 std::unique_ptr<PluginLoader> makeLoader(const std::vector<std::string>& files) {
   refuseMissingFiles(files);
   shortenPackageSearch();
-  const QuietConsole quiet;
+  const PluginWork work;
   try {
     return std::make_unique<PluginLoader>("synthetic_dataset", "synthetic_dataset::LabelWriter",
                                           "plugin", files);
@@ -104,14 +107,14 @@ WriterLoader::WriterLoader(const std::vector<std::string>& plugin_xml_files)
     : impl_(std::make_unique<Impl>(plugin_xml_files)) {}
 
 WriterLoader::~WriterLoader() {
-  const QuietConsole quiet;
+  const PluginWork work;
   impl_.reset();
 }
 
 WriterLoader::Instance WriterLoader::create(const std::string& type) {
   PluginLoader& loader = *impl_->loader;
   if (!loader.isClassAvailable(type)) throw Error(unknownType(type, loader.getDeclaredClasses()));
-  const QuietConsole quiet;
+  const PluginWork work;
   try {
     return loader.createUniqueInstance(type);
   } catch (const pluginlib::PluginlibException& exception) {
@@ -126,7 +129,6 @@ std::vector<std::string> WriterLoader::typeNames() const {
 }
 
 std::vector<WriterType> WriterLoader::types() {
-  const QuietConsole quiet;
   PluginLoader& loader = *impl_->loader;
   std::vector<WriterType> types;
   for (const std::string& name : loader.getDeclaredClasses()) {

@@ -20,12 +20,6 @@ namespace {
 /// The setup assistant for a small run that is all right.
 class OpenAssistant {
  public:
-  OpenAssistant() : OpenAssistant(false) {}
-
-  /// @param has_dataset  whether the run has been made
-  explicit OpenAssistant(bool has_dataset)
-      : assistant(preparedFile(has_dataset), {}, EmbeddedFiles()) {}
-
   Value get(const std::string& path, const std::map<std::string, std::string>& query = {}) {
     HttpRequest request;
     request.method = "GET";
@@ -65,16 +59,7 @@ class OpenAssistant {
   test::TinyRun run;
   std::filesystem::path file = run.folder().write(
       "settings.yaml", "# A small run.\n" + base::blockYaml(run.parameters(), 0, {}) + "\n");
-  Assistant assistant;
-
- private:
-  /// A run in this process has to end before the assistant's own thread loads plugins, which
-  /// pluginlib cannot do in two threads at once; users' runs are processes of their own.
-  [[nodiscard]] std::string preparedFile(bool has_dataset) const {
-    run::Reporter silent;
-    if (has_dataset) (void)run::Generator(Value(run.parameters()), silent).run();
-    return file.string();
-  }
+  Assistant assistant{file.string(), {}, EmbeddedFiles()};
 };
 
 int statusOf(OpenAssistant& open, const std::string& method, const std::string& path,
@@ -219,7 +204,9 @@ TEST(Assistant, RefusesRequestsThatNestWithoutBound) {
 }
 
 TEST(Assistant, HasNoPageOfResultsBehindTheLast) {
-  OpenAssistant open(true);
+  OpenAssistant open;
+  run::Reporter silent;
+  (void)run::Generator(Value(open.run.parameters()), silent).run();
   for (const char* page : {"400000000000000000", "-400000000000000000", "9223372036854775807"}) {
     const Value result = open.get("/api/result", {{"page", page}});
     const Value::List* scenes = memberOf(result, "scenes").as<Value::List>();

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <mutex>
+
+namespace synthetic_dataset::base {
+
+/// Held while plugins are looked for, loaded or unloaded, by us or by librosbag: class_loader has
+/// global variables for that, so two threads that do so at the same time fail now and then.
+[[nodiscard]] inline std::mutex& pluginMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+}  // namespace synthetic_dataset::base
