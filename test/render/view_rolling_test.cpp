@@ -287,8 +287,10 @@ TEST_P(RollingPicture, ItsSilhouettesAreWhatItsLabelsHaveOfEachObjectAlone) {
   }
 }
 
-TEST_P(RollingPicture, ItsSilhouettesGoOnBesideTheImage) {
-  if (GetParam().distortion.model != DistortionModel::kNone) GTEST_SKIP() << "counted in cells";
+/// Beside other lenses' images, pixels are counted in cells.
+class RollingPinhole : public RollingPicture {};
+
+TEST_P(RollingPinhole, ItsSilhouettesGoOnBesideTheImage) {
   Renderer renderer(description, stage.links(), {});
   RollingView rolling = view();
   // The ball enters from the left.
@@ -314,12 +316,18 @@ TEST_P(RollingPicture, ItsSilhouettesGoOnBesideTheImage) {
   EXPECT_NEAR(silhouette.box->right, bounds.br().x - kWidth - 0.5, 3.0);
 }
 
+const Case kStands{"stands", false, {}};
+const Case kRides{"rides", true, {}};
+
+std::string nameOf(const testing::TestParamInfo<Case>& each) { return each.param.name; }
+
 INSTANTIATE_TEST_SUITE_P(
     Cameras, RollingPicture,
-    testing::Values(Case{"stands", false, {}}, Case{"rides", true, {}},
+    testing::Values(kStands, kRides,
                     Case{"stands_plumb_bob", false, test::kPlumbBob.camera.distortion()},
                     Case{"rides_plumb_bob", true, test::kPlumbBob.camera.distortion()}),
-    [](const auto& each) { return std::string(each.param.name); });
+    nameOf);
+INSTANTIATE_TEST_SUITE_P(Cameras, RollingPinhole, testing::Values(kStands, kRides), nameOf);
 
 }  // namespace rolling_view_test
 }  // namespace synthetic_dataset::render
