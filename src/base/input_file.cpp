@@ -1,10 +1,12 @@
 #include "base/input_file.h"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <system_error>
 
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::base {
 namespace {
@@ -55,6 +57,21 @@ std::string textFault(std::string_view bytes) {
   return bytes.find('\0') == std::string_view::npos ? "" : "is no text file";
 }
 
+std::string didYouMeanFile(const fs::path& file) {
+  constexpr std::size_t kMost = 10000;  // in a folder of more, none is looked for
+  std::error_code error;
+  if (fs::exists(file, error)) return "";
+  std::vector<std::string> names;
+  for (auto each =
+           fs::directory_iterator(file.parent_path().empty() ? "." : file.parent_path(), error);
+       !error && each != fs::directory_iterator(); each.increment(error)) {
+    names.push_back(each->path().filename().string());
+    if (names.size() > kMost) return "";
+  }
+  std::sort(names.begin(), names.end());  // of equals always the same one
+  return didYouMean(file.filename().string(), names);
+}
+
 bool isAboutPipe(std::string_view message) { return message.find(kPipe) != std::string_view::npos; }
 
 InputWatch::InputWatch() : outer_(watch) { watch = this; }
@@ -70,7 +87,9 @@ std::ifstream openInput(const fs::path& file) {
   const std::string fault = inputFault(file);
   if (!fault.empty()) throw Error(file.string() + ": " + fault);
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(file.string() + ": no such file, or it cannot be read");
+  if (!stream) {
+    throw Error(file.string() + ": no such file, or it cannot be read" + didYouMeanFile(file));
+  }
   return stream;
 }
 

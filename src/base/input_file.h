@@ -11,6 +11,10 @@
 /// The one way to files that are read: reading from a pipe or a device may never end.
 namespace synthetic_dataset::base {
 
+/// "; did you mean 'x'?" of a file's neighbours, for the end of a message about one that is not
+/// there, or nothing.
+[[nodiscard]] std::string didYouMeanFile(const std::filesystem::path& file);
+
 /// @throws Error "<file>: no such file ...", "<file>: is a folder; a file is needed", "<file>: is a
 ///     pipe or a device; a file is needed"
 [[nodiscard]] std::ifstream openInput(const std::filesystem::path& file);

@@ -13,6 +13,7 @@
 #include "base/input_file.h"
 #include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset::base {
 namespace {
@@ -164,6 +165,12 @@ RosPackages findRosPackages(const std::string& package_path) {
     if (installed.empty() && !entry.empty()) search.look(entry, 1);
   }
   return std::move(search.found);
+}
+
+std::string didYouMeanPackage(const std::string& name) {
+  std::vector<std::string> names;
+  for (const RosPackage& each : findRosPackages(rosPackagePath()).sound) names.push_back(each.name);
+  return didYouMean(name, names);
 }
 
 }  // namespace synthetic_dataset::base

@@ -40,4 +40,7 @@ struct RosPackages {
 /// CATKIN_IGNORE. rospack itself gives up all of them when it cannot read one.
 [[nodiscard]] RosPackages findRosPackages(const std::string& package_path);
 
+/// "; did you mean 'x'?" for a package that ROS does not know, or nothing. Looks at all packages.
+[[nodiscard]] std::string didYouMeanPackage(const std::string& name);
+
 }  // namespace synthetic_dataset::base

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "base/ros_packages.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::config {
@@ -145,7 +146,8 @@ class Substitution {
     if (!folder) {
       fail(command, command.text() +
                         ", but ROS knows no package of this name (is the "
-                        "workspace's setup.bash sourced?)");
+                        "workspace's setup.bash sourced?)" +
+                        base::didYouMeanPackage(words[1]));
     }
     const std::size_t begin = text_.find(command.text());
     if (begin == std::string::npos) return;

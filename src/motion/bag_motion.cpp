@@ -133,6 +133,12 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
   }
   if (timeline->stamps.empty()) throw ErrorList({noSceneLeft(*timeline, options)});
   if (hasOwnClock()) noteClock(part.start, timeline->diagnostics);
+  const Duration rest = recorded.end - part.start;
+  if (options.duration && *options.duration > rest) {
+    timeline->diagnostics.note("duration", "found " + secondsText(*options.duration) +
+                                               "; the recording has " + secondsText(rest) +
+                                               " from there on, and all of it is used");
+  }
   return *std::move(timeline);
 }
 

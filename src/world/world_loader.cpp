@@ -38,8 +38,10 @@ fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
   const std::optional<fs::path> found = finder.find(uri, here);
   if (!found) {
     const std::string searched = finder.searchedPlaces(uri, here);
-    throw ErrorList(
-        {"'" + uri + "': no such file" + (searched == "looked in " + uri ? "" : "; " + searched)});
+    const std::string itself = "looked in " + uri;
+    const bool says_more = searched.compare(0, itself.size(), itself) != 0;
+    throw ErrorList({"'" + uri + "': no such file" +
+                     (says_more ? "; " + searched : searched.substr(itself.size()))});
   }
   try {
     return fs::is_directory(*found) ? modelFileOf(*found) : *found;

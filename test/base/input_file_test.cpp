@@ -27,6 +27,16 @@ TEST(InputFile, ThatIsNotThereIsNamed) {
   EXPECT_EQ(inputFault("/no/such/file"), "");
 }
 
+TEST(InputFile, ThatIsMisspeltIsCalledAsItsNeighbour) {
+  const test::TemporaryFolder folder;
+  (void)folder.write("husky_real.bag", "");
+  (void)folder.write("other.txt", "");
+  EXPECT_EQ(didYouMeanFile(folder / "husky_rael.bag"), "; did you mean 'husky_real.bag'?");
+  EXPECT_EQ(didYouMeanFile(folder / "something.else"), "");
+  EXPECT_EQ(didYouMeanFile(folder / "other.txt"), "") << "it is there";
+  EXPECT_EQ(didYouMeanFile("/no/such/folder/file"), "");
+}
+
 TEST(InputFile, IsNoFolder) {
   const test::TemporaryFolder folder;
   const std::string name = folder.path().string();

@@ -99,6 +99,12 @@ TEST(Timeline, EndsWithTheRecordingWhenTheDurationIsLonger) {
   const BagMotion motion =
       recorded([](BagBuilder& bag) { moveAlongX(bag, "map", "alpha", 1000, 2000); });
   TimelineOptions options = everyMilliseconds(500);
+  options.duration = milliseconds(5000);
+  const Timeline timeline = motion.timeline({"alpha"}, options);
+  EXPECT_THAT(timeline.stamps, SizeIs(2));
+  EXPECT_THAT(timeline.diagnostics.messages(base::Severity::kNote),
+              ElementsAre(AllOf(HasSubstr("duration: found 5.000"), HasSubstr("has 1.000"),
+                                HasSubstr("all of it is used"))));
   options.duration = Duration::max();
   EXPECT_THAT(motion.timeline({"alpha"}, options).stamps, SizeIs(2));
 }

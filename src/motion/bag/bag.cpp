@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/input_file.h"
 #include "motion/bag/ros1_bag.h"
 #include "motion/bag/ros2_bag.h"
 #include "motion/ros2/bag_folder.h"
@@ -18,7 +19,9 @@ bool isBagPath(const std::string& path) {
 std::unique_ptr<Bag> openBag(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) throw Error("bag " + path + ": no such file");
+  if (!std::filesystem::exists(status)) {
+    throw Error("bag " + path + ": no such file" + base::didYouMeanFile(path));
+  }
   if (isRos2Bag(path)) return openRos2Bag(path);
   if (std::filesystem::is_directory(status)) {
     throw Error("bag " + path +

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/input_file.h"
+#include "base/ros_packages.h"
 #include "world/files/fuel.h"
 #include "world/files/gazebo_folders.h"
 #include "world/files/text.h"
@@ -257,6 +259,14 @@ std::optional<std::string> ResourceFinder::unknownPackage(const std::string& uri
   return package;
 }
 
+std::string ResourceFinder::nearMiss(const std::string& uri, const fs::path& folder) const {
+  for (const fs::path& path : candidates(uri, folder).paths) {
+    const std::string near = base::didYouMeanFile(path);
+    if (!near.empty()) return near;
+  }
+  return "";
+}
+
 std::string ResourceFinder::searchedPlaces(const std::string& uri, const fs::path& folder) const {
   if (leadsOut(uri, folder)) {
     return "it leads out of the folders that it may name, and nothing outside of them is read";
@@ -273,9 +283,11 @@ std::string ResourceFinder::searchedPlaces(const std::string& uri, const fs::pat
   for (const std::string& place : places) text += (text.empty() ? "looked in " : ", ") + place;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (const auto package = unknownPackage(uri)) {
-    add("ROS knows no package '" + *package + "' (is the setup.bash of its workspace sourced?)");
+    add("ROS knows no package '" + *package + "' (is the setup.bash of its workspace sourced?)" +
+        base::didYouMeanPackage(*package));
   }
   if (isOf(uri, {"http", "https", "fuel"})) add("nothing is fetched from the network");
+  text += nearMiss(uri, folder);
   if (!text.empty()) return text;
   return "known are model://, package://, file://, https:// of Gazebo's model server, absolute and "
          "relative paths";

@@ -89,6 +89,10 @@ class ResourceFinder {
   [[nodiscard]] const std::set<std::string>& refusals() const { return refusals_; }
 
  private:
+  /// "; did you mean 'x'?" of the files beside those that a URI may mean, or nothing.
+  [[nodiscard]] std::string nearMiss(const std::string& uri,
+                                     const std::filesystem::path& folder) const;
+
   struct Candidates;
 
   /// The candidates for a URI as it stands.

@@ -270,8 +270,8 @@ std::vector<std::string> MeshLoader::takeNotes() {
   std::vector<std::string> notes = std::exchange(notes_, {});
   if (const std::vector<std::string> files = std::exchange(with_lines_, {}); !files.empty()) {
     const std::size_t others = files.size() - 1;
-    notes.push_back("lines in meshes have no area, and are not drawn: those of '" + files.front() +
-                    "'" + (others == 0 ? "" : " and of " + std::to_string(others) + " others"));
+    notes.push_back(kLinesNote + std::string("those of '") + files.front() + "'" +
+                    (others == 0 ? "" : " and of " + std::to_string(others) + " others"));
   }
   std::string pictures;
   for (const std::string& picture : textures_.takeStandIns()) {

@@ -40,6 +40,9 @@ struct MeshAhead {
   bool with_pictures = false;  ///< those of its own materials are, too
 };
 
+/// How the note about lines in meshes begins.
+inline constexpr const char* kLinesNote = "lines in meshes have no area, and are not drawn: ";
+
 /// Reads each mesh file, picture and material script once, and shares what was made of them.
 class MeshLoader {
  public:

@@ -95,6 +95,16 @@ TEST(ResourceFinder, NeverAsksTheNetwork) {
   EXPECT_EQ(finder.searchedPlaces(uri, "/"), "nothing is fetched from the network");
 }
 
+TEST(ResourceFinder, KnowsWhatIsSpeltNearlyAlike) {
+  const test::TemporaryFolder folder;
+  (void)folder.write("street.world", "<sdf/>");
+  const ResourceFinder finder({folder.path().string()}, nullptr);
+  EXPECT_THAT(finder.searchedPlaces("sreet.world", folder.path()),
+              HasSubstr("; did you mean 'street.world'?"));
+  EXPECT_THAT(finder.searchedPlaces("model://sreet.world", "/"),
+              HasSubstr("; did you mean 'street.world'?"));
+}
+
 TEST(ResourceFinder, TellsWhereItLooked) {
   const ResourceFinder finder({"/models/a", "/models/b"}, nullptr);
   EXPECT_THAT(finder.searchedPlaces("model://table/x.dae", "/"),
