@@ -9,24 +9,10 @@
 #include "base/seconds.h"
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
-#include "synthetic_dataset/label_text.h"
+#include "config/pose_config.h"
 
 namespace synthetic_dataset::config {
 namespace {
-
-/// Three numbers, none beyond `farthest`.
-std::optional<Eigen::Vector3d> maybeVector(Parameters& group, const std::string& name,
-                                           double farthest, const std::string& should) {
-  const auto numbers = group.maybe<std::vector<double>>(name);
-  if (!numbers) return std::nullopt;
-  const bool is_near = std::all_of(numbers->begin(), numbers->end(),
-                                   [&](double each) { return std::abs(each) <= farthest; });
-  if (numbers->size() == 3 && is_near) {
-    return Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-  }
-  group.addError(name, "found " + group.required<Value>(name).text() + "; it should be " + should);
-  return std::nullopt;
-}
 
 /// `look_at: NAME | [x, y, z]`.
 void readLookAt(Parameters& group, scene::CameraAim& aim) {
@@ -45,9 +31,7 @@ scene::CameraAim readAim(Parameters group) {
   if (!group.has("position")) (void)group.required<Value>("position");
   const auto position = maybeVector(group, "position", kFarthest, "[x, y, z] [m]");
   aim.position_G = position.value_or(aim.position_G);
-  aim.rpy =
-      maybeVector(group, "rpy", 2.0 * kHalfTurn,
-                  std::string("[roll, pitch, yaw], each at most a turn of 6.283") + kAngleUnit);
+  aim.rpy = maybeAngles(group);
   readLookAt(group, aim);
   if (group.has("rpy") == group.has("look_at")) {
     group.addError(group.has("rpy") ? "rpy" : "look_at",
@@ -74,28 +58,9 @@ scene::StereoFrame readStereoFrame(Parameters& group, bool is_rectified) {
   return frame;
 }
 
-/// A wrong one becomes a harmless pose: without any, there would be a second error.
-Pose readPose(Parameters& group, const std::string& name) {
-  const auto numbers = group.maybe<std::vector<double>>(name);
-  if (!numbers) return Pose::Identity();
-  const std::vector<double>& n = *numbers;
-  if (n.size() != 7) {
-    group.addError(name,
-                   "found " + std::to_string(n.size()) +
-                       " numbers; it should be [x, y, z, qx, qy, qz, qw], or {position: [x, y, z], "
-                       "look_at: OBJECT or [x, y, z]}, or {position: [x, y, z], rpy: "
-                       "[roll, pitch, yaw]}");
-    return Pose::Identity();
-  }
-  const Eigen::Quaterniond orientation(n[6], n[3], n[4], n[5]);
-  constexpr double kTolerance = 1e-2;  // a rounded quaternion is meant; a wrong one is not
-  if (std::abs(orientation.norm() - 1.0) > kTolerance) {
-    group.addError(name, "found a quaternion of length " + fixed(orientation.norm(), 4) +
-                             "; qx, qy, qz, qw should have length 1");
-    return Pose::Identity();
-  }
-  return makePose({n[0], n[1], n[2]}, orientation);
-}
+const char* const kOrAim =
+    ", or {position: [x, y, z], look_at: OBJECT or [x, y, z]}, or {position: [x, y, z], rpy: "
+    "[roll, pitch, yaw]}";
 
 void readEffects(Parameters group, scene::CameraOptions& camera) {
   constexpr double kMostStops = 10.0;
@@ -153,7 +118,7 @@ void readTwin(Parameters& group, scene::CameraOptions& camera) {
   constexpr double kWidest = 0.5;
   constexpr double kNarrowest = 2.0;
   camera.focal_scale = group.maybeBetween("focal_scale", kWidest, kNarrowest).value_or(1.0);
-  if (group.has("correction")) camera.X_FD = readPose(group, "correction");
+  if (group.has("correction")) camera.X_FD = readPose(group, "correction", kOrAim);
   if (camera.X_FD && camera.sample) {
     group.addError("correction", "found together with sample, whose cameras stand where it says");
   }
@@ -179,7 +144,7 @@ scene::CameraOptions readCamera(Parameters group, const std::string& name,
   if (pose && pose->is<Value::Map>()) {
     camera.aim = readAim(group.group("pose"));
   } else if (pose) {
-    camera.X_GC = readPose(group, "pose");
+    camera.X_GC = readPose(group, "pose", kOrAim);
   }
   camera.on = group.maybe<std::string>("mounted_on");
   camera.sample = readCameraSampling(group);

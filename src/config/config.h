@@ -23,8 +23,9 @@ struct WorldConfig {
 };
 
 enum class SplitBy {
-  kBlocks,  ///< the first scenes, those after them, the last
-  kScenes,  ///< drawn at random
+  kBlocks,          ///< the first scenes, those after them, the last
+  kScenes,          ///< drawn at random
+  kBalancedBlocks,  ///< those of a recording that have labels of each class, as far as there are
 };
 
 struct SplitConfig {

@@ -149,12 +149,16 @@ SplitConfig readSplit(Parameters root) {
   if (group.errors().size() > errors_before) {
     split.shares.clear();
   } else if (std::abs(sum - 1.0) > 1e-6) {
-    root.addError("split", "found shares that add up to " + Value(sum).text() +
+    constexpr double kShown = 1e6;  // 0.9, not 0.8999999999999999
+    root.addError("split", "found shares that add up to " +
+                               Value(std::round(sum * kShown) / kShown).text() +
                                "; train, val and test should add up to 1");
     split.shares.clear();
   }
-  split.by =
-      choice<SplitBy>(group, "by", {{"blocks", SplitBy::kBlocks}, {"scenes", SplitBy::kScenes}});
+  split.by = choice<SplitBy>(group, "by",
+                             {{"blocks", SplitBy::kBlocks},
+                              {"balanced_blocks", SplitBy::kBalancedBlocks},
+                              {"scenes", SplitBy::kScenes}});
   split.gap = maybeSeconds(group, "gap").value_or(0.0);
   if (split.gap > 0.0 && split.by == SplitBy::kScenes) {
     group.addError("gap", "found " + Value(split.gap).text() +

@@ -228,8 +228,11 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
                                 "; it has a meaning with motion: placement alone: in a recording "
                                 "each object has a frame of its own");
   }
-  object.frame = readFrame(group, name);
-  object.link_frames = readLinkFrames(group);
+  if (!readStanding(group, object)) {
+    object.frame = readFrame(group, name);
+    object.frame_is_given = group.has("frame");
+    object.link_frames = readLinkFrames(group);
+  }
   object.model = group.maybe<std::string>("model");
   if (object.model && object.model->rfind("param:", 0) == 0) {
     group.addError("model", "found '" + *object.model +
@@ -284,6 +287,7 @@ bool isSettingGroup(const std::string& name) {
                                                   "twin",
                                                   "world",
                                                   "world_classes",
+                                                  "world_objects",
                                                   "writers"};
   return kSettings.count(name) != 0;
 }
@@ -314,7 +318,10 @@ void addLabelledDistractors(Parameters root,
 }
 
 std::vector<scene::ObjectOptions> readObjects(Parameters root) {
-  const auto names = root.required<std::vector<std::string>>("robot_list");
+  checkWorldObjects(root);
+  const bool may_lack = root.has("world_objects") && !root.has("robot_list");
+  const auto names =
+      may_lack ? std::vector<std::string>() : root.required<std::vector<std::string>>("robot_list");
   if (isEmptyList(root, "robot_list")) {
     root.addError("robot_list", "found an empty list; it should name at least one object");
   }

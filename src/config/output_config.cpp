@@ -46,9 +46,19 @@ std::optional<output::Shard> readShard(Parameters& root) {
   return shard;
 }
 
-/// Names and types of the writers; left out, the original's three.
+/// Names and types of the writers; left out where there is a group of one of the original's three:
+/// these.
 std::vector<std::pair<std::string, std::string>> readWriterNames(Parameters& root) {
   const auto given = root.maybe<Value>("writers");
+  const auto isOfOriginal = [&] {
+    return root.has("bounding_shape") || root.has("yolo") || root.has("stvnet");
+  };
+  if (!given && !isOfOriginal()) {
+    root.addError("writers",
+                  "missing; it should say which formats are made, such as `writers: [{name: coco, "
+                  "type: synthetic_dataset/Coco}]` (docs/formats.md has them all)");
+    return {};
+  }
   if (!given) {
     return {{"bounding_shape", "synthetic_dataset/BoundingShape"},
             {"yolo", "synthetic_dataset/Yolo"},

@@ -12,27 +12,22 @@ namespace synthetic_dataset::config {
 namespace {
 
 void refuseOthers(Parameters& group, randomize::PlacementMode mode) {
-  if (mode == randomize::PlacementMode::kMap) {
+  const bool on_map = mode == randomize::PlacementMode::kMap;
+  const bool on_ground = mode == randomize::PlacementMode::kGround;
+  if (on_map || on_ground) {
     refuseWithout(group, {"volume", "orientation", "rows"}, "mode: volume or drop");
   } else {
-    refuseWithout(group,
-                  {"map", "map_topic", "received_map", "surface", "height", "highest_surface",
-                   "steepest", "unevenness"},
-                  "mode: map");
+    refuseWithout(group, {"highest_surface", "steepest", "unevenness"}, "mode: map or ground");
   }
+  if (!on_map) {
+    refuseWithout(group, {"map", "map_topic", "received_map", "surface", "height"}, "mode: map");
+  }
+  if (!on_ground) refuseWithout(group, {"area"}, "mode: ground");
   if (mode != randomize::PlacementMode::kDrop) refuseWithout(group, {"fall_time"}, "mode: drop");
 }
 
-void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
+void readStandingOn(Parameters& group, randomize::SurfaceOptions& surface) {
   constexpr double kSteepest = 1.5;  // [rad] nearly a wall
-  placement.on_surface = listedChoice<bool>(group, "surface", {{"below", true}, {"none", false}});
-  if (!placement.on_surface) {
-    placement.height = group.optionalBetween("height", placement.height, -kFarthest, kFarthest);
-    refuseWithout(group, {"highest_surface", "steepest", "unevenness"}, "surface: below");
-    return;
-  }
-  refuseWithout(group, {"height"}, "surface: none");
-  randomize::SurfaceOptions& surface = placement.surface;
   surface.highest =
       group.optionalBetween("highest_surface", surface.highest, -kFarthest, kFarthest);
   const double steepest = group.optional("steepest", surface.steepest);
@@ -44,6 +39,17 @@ void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
                                    Value(kSteepest).text() + kAngleUnit);
   }
   surface.unevenness = group.optionalBetween("unevenness", surface.unevenness, 0.0, 1e3);
+}
+
+void readSurface(Parameters& group, randomize::PlacementOptions& placement) {
+  placement.on_surface = listedChoice<bool>(group, "surface", {{"below", true}, {"none", false}});
+  if (!placement.on_surface) {
+    placement.height = group.optionalBetween("height", placement.height, -kFarthest, kFarthest);
+    refuseWithout(group, {"highest_surface", "steepest", "unevenness"}, "surface: below");
+    return;
+  }
+  refuseWithout(group, {"height"}, "surface: none");
+  readStandingOn(group, placement.surface);
 }
 
 void readMap(Parameters& group, randomize::PlacementOptions& placement) {
@@ -79,6 +85,33 @@ std::optional<Eigen::Vector3d> readCorner(Parameters& volume, const std::string&
   return std::nullopt;
 }
 
+std::optional<Eigen::Vector2d> readAreaCorner(Parameters& area, const std::string& name) {
+  const auto numbers = area.required<std::vector<double>>(name);
+  const bool is_near = std::all_of(numbers.begin(), numbers.end(),
+                                   [](double each) { return std::abs(each) <= kFarthest; });
+  if (numbers.size() == 2 && is_near) return Eigen::Vector2d(numbers[0], numbers[1]);
+  if (area.has(name)) {
+    area.addError(name, "found " + area.required<Value>(name).text() +
+                            "; it should be [x, y] in metres, each at most 1e6");
+  }
+  return std::nullopt;
+}
+
+/// `area: {min: [x, y], max: [x, y]}`.
+void readGround(Parameters& group, randomize::PlacementOptions& placement) {
+  readStandingOn(group, placement.surface);
+  if (!group.has("area")) return;
+  Parameters area = group.group("area");
+  const auto low = readAreaCorner(area, "min");
+  const auto high = readAreaCorner(area, "max");
+  if (!low || !high) return;
+  if ((low->array() <= high->array()).all()) {
+    placement.area = randomize::GroundArea{*low, *high};
+  } else {
+    group.addError("area", "found a min above the max; min should be the lower corner");
+  }
+}
+
 }  // namespace
 
 randomize::Volume readVolume(Parameters group) {
@@ -102,10 +135,13 @@ randomize::PlacementOptions readPlacement(Parameters root) {
   placement.mode =
       listedChoice<randomize::PlacementMode>(group, "mode",
                                              {{"map", randomize::PlacementMode::kMap},
+                                              {"ground", randomize::PlacementMode::kGround},
                                               {"volume", randomize::PlacementMode::kVolume},
                                               {"drop", randomize::PlacementMode::kDrop}});
   if (placement.mode == randomize::PlacementMode::kMap) {
     readMap(group, placement);
+  } else if (placement.mode == randomize::PlacementMode::kGround) {
+    readGround(group, placement);
   } else {
     placement.volume = readVolume(group);
     placement.upright =

@@ -68,7 +68,16 @@ namespace synthetic_dataset::config {
 /// called the same.
 [[nodiscard]] bool isSettingGroup(const std::string& name);
 
-/// Reads `robot_list` and the group of each object in it.
+/// Reads an object's `pose`, if it has one: it stands in the world then, and follows no frame.
+/// @return whether it does
+[[nodiscard]] bool readStanding(Parameters& group, scene::ObjectOptions& object);
+
+/// Notes what is wrong with `world_objects`. Where the world can be read, it is spelled out in
+/// `robot_list` before the settings are read (run/setup/world_objects.h).
+void checkWorldObjects(Parameters& root);
+
+/// Reads `robot_list` and the group of each object in it. It may be left out where `world_objects`
+/// is there.
 [[nodiscard]] std::vector<scene::ObjectOptions> readObjects(Parameters root);
 
 /// Adds the distractors that are labelled to the objects, in the order of their numbers.

@@ -306,6 +306,20 @@ std::optional<EarlierRun> findEarlierRun(StoreOptions options, std::vector<Store
   return found;
 }
 
+std::vector<std::string> filesInTheWay(StoreOptions options, std::vector<StoreWriter> writers) {
+  makeAbsolute(options, writers);
+  std::error_code error;
+  const bool has_dataset =
+      std::filesystem::exists(manifestFile(options.folder, options.shard), error);
+  if (has_dataset && options.if_exists != IfExists::kOverwrite) return {};
+  try {
+    return EarlierDataset(options.folder, options.shard)
+        .obstacles(writers, options.if_exists, options.source);
+  } catch (const Error&) {
+    return {};  // which findEarlierRun says
+  }
+}
+
 OpenedDataset openDataset(const StoreOptions& options, const std::vector<StoreWriter>& writers,
                           const RunDescription& run) {
   try {

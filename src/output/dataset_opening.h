@@ -40,6 +40,11 @@ void makeAbsolute(StoreOptions& options, std::vector<StoreWriter>& writers);
                                                        std::vector<StoreWriter> writers,
                                                        RunDescription run);
 
+/// Files of others where a new run's files go, as openDataset would refuse them; nothing where a
+/// run would go on with a dataset, or where the dataset that is there is in the way itself.
+[[nodiscard]] std::vector<std::string> filesInTheWay(StoreOptions options,
+                                                     std::vector<StoreWriter> writers);
+
 /// Makes sure that a run can begin, or can go on with what is there, and only then removes what it
 /// is to replace (`if_exists`).
 /// @param options, writers  as makeAbsolute leaves them

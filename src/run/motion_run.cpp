@@ -103,6 +103,7 @@ void MotionRun::moveWorld(Stamp stamp) {
   } else {
     motion_.world->showAt(stamp, known->X_WM, known->X_WO);
   }
+  motion_.arranger->followProps();
 }
 
 void MotionRun::advanceWorld(Stamp stamp) {

@@ -105,17 +105,28 @@ std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
 
 constexpr std::size_t kMostNamed = 8;  // objects, in messages
 
-/// The frame of the object that a camera is mounted on.
-std::string carrierOf(const CameraOptions& config, const std::vector<ObjectOptions>& objects) {
+/// Mounts a camera on an object, or on a frame, whatever moves there without a label.
+void mount(const CameraOptions& config, const std::vector<ObjectOptions>& objects,
+           const motion::FrameSource& frames, CameraRig& rig) {
   std::vector<std::string> names;
   for (const ObjectOptions& object : objects) {
     if (!object.takes_part) continue;
-    if (object.name == *config.on) return object.frame;
+    if (object.name == *config.on) {
+      rig.followed = frames.find(object.frame).value_or(motion::kNoFrame);
+      return;
+    }
     names.push_back(object.name);
   }
+  if (const auto frame = frames.find(*config.on)) {
+    rig.followed = *frame;
+    rig.carrier = *config.on;
+    return;
+  }
+  std::vector<std::string> near = names;
+  near.insert(near.end(), frames.names().all().begin(), frames.names().all().end());
   throw Error(config.group + "/mounted_on: found '" + *config.on +
-              "'; it should be an object of robot_list (" + base::listed(names, kMostNamed) + ")" +
-              didYouMean(*config.on, names));
+              "'; it should be an object of robot_list (" + base::listed(names, kMostNamed) +
+              ") or a frame of " + frames.title() + didYouMean(*config.on, near));
 }
 
 /// What it follows with its eye.
@@ -162,7 +173,7 @@ void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
   }
   if (config.on) {
     rig.is_carried = true;
-    rig.followed = frames.find(carrierOf(config, objects)).value_or(motion::kNoFrame);
+    mount(config, objects, frames, rig);
     rig.X_LC = givenPose(config).value_or(Pose::Identity());
     return;
   }

@@ -35,7 +35,8 @@ struct CameraRig {
       std::nullopt;  ///< of the world's links, on which it rides at X_LC
   Pose X_LC = Pose::Identity();
   motion::FrameId followed = motion::kNoFrame;  ///< its own frame, or that of its carrier
-  bool is_carried = false;  ///< it rides at X_LC on an object, whose frame it follows
+  bool is_carried = false;   ///< it rides at X_LC on an object or a frame, which it follows
+  std::string carrier = "";  ///< that frame, where it is no object's
   /// What it looks at from X_LC's position, in the global frame or on its carrier.
   std::optional<FollowedObject> looks_at = std::nullopt;
   bool sampled = false;  ///< its frame is placed for each scene
@@ -59,6 +60,9 @@ struct CameraRig {
   [[nodiscard]] bool followsFrame() const {
     return !X_GC && !link && !is_carried && !looks_at && !sampled;
   }
+
+  /// The frame that has to be known at the times of its scenes; empty: none but the objects'.
+  [[nodiscard]] std::string neededFrame() const { return followsFrame() ? frame : carrier; }
 };
 
 /// Finds the intrinsics (a calibration file, a recorded CameraInfo, else the world's sensor) and

@@ -1,5 +1,6 @@
 #include "scene/link_groups.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -58,10 +59,14 @@ std::vector<std::uint16_t> worldClassNumbers(const WorldClasses& classes,
   Grouping grouping;
   grouping.numbers.resize(links.size());
   LinkSet of_world;
+  LinkSet of_objects;  // that the world has itself; they count as meant, and are no class of it
   std::set<std::string> models;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    if (links[i].object >= 0) continue;
-    of_world.push_back(i);
+    const bool is_object = links[i].object >= 0;
+    const bool is_own =
+        links[i].role == world::Role::kStatic || links[i].role == world::Role::kProp;
+    if (is_object && !is_own) continue;
+    (is_object ? of_objects : of_world).push_back(i);
     models.insert(links[i].model);
   }
   const auto nameOf = [&](std::size_t i) { return links[i].model + "::" + links[i].link->name; };
@@ -75,7 +80,12 @@ std::vector<std::uint16_t> worldClassNumbers(const WorldClasses& classes,
     diagnostics.error("world_classes", "'" + link + "' is in '" + first + "' and in '" + second +
                                            "'; each thing should be in one class");
   }
-  for (const auto& [name, pattern] : grouping.unused) {
+  for (const auto& [name, unused] : grouping.unused) {
+    const std::string& pattern = unused;
+    if (std::any_of(of_objects.begin(), of_objects.end(),
+                    [&](std::size_t i) { return fits(i, pattern); })) {
+      continue;
+    }
     diagnostics.warning("world_classes/" + name,
                         "nothing in the world is called or labelled '" + pattern + "'" +
                             didYouMean(pattern, {models.begin(), models.end()}));

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "synthetic_dataset/pose.h"
+
 namespace synthetic_dataset::scene {
 
 /// Groups of links by name: patterns of what is meant, in which `*` and `?` stand for any text and
@@ -34,7 +36,10 @@ struct ObjectOptions {
   bool takes_part = true;            ///< in this motion, where its frame is
   bool is_distractor = false;        ///< put somewhere now and then; these come last
   std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
+  bool frame_is_given = false;       ///< as a whole, by `frame`
   LinkFrames link_frames;            ///< of an articulated model
+  bool stands = false;               ///< in the world; its frame is a name of our own then
+  std::optional<Pose> X_GM;          ///< where it stands; none: where the world has its model
   std::optional<std::string> model;  ///< its model, the URI of it or its text; none: the world's
                                      ///< model of its name
   std::map<std::string, std::string> model_arguments;  ///< of a xacro file

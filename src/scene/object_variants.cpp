@@ -44,7 +44,9 @@ ObjectVariants::ObjectVariants(const ObjectOptions& object,
                                const randomize::Randomization& randomization)
     : entry_("objects/" + object.name) {
   // Nothing of what is not there is made; distractors have models and sizes of their own.
-  if (object.takes_part && !object.is_distractor) config_ = randomization.ofObject(object.name);
+  if (object.takes_part && !object.is_distractor && !object.stands) {
+    config_ = randomization.ofObject(object.name);
+  }
   if (!config_.variety) config_.variety.emplace();
   if (config_.model) findModels();
   if (config_.scale) sizes_ = sizesOf(*config_.scale, config_.sizes);

@@ -39,6 +39,26 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
   return boxes;
 }
 
+/// The rectangle around all that stands still and is no object.
+randomize::GroundArea groundArea(const world::World& world) {
+  std::vector<const world::Link*> links;
+  std::vector<Pose> X_GL;
+  for (std::size_t i = 0; i < world.links().size(); ++i) {
+    const world::LinkInstance& link = world.links()[i];
+    if (link.role != world::Role::kStatic || link.object >= 0) continue;
+    links.push_back(link.link);
+    X_GL.push_back(world.linkPoses()[i]);
+  }
+  const world::ModelGeometry geometry(links);
+  if (geometry.isEmpty()) {
+    throw Error(
+        "placement/mode: found ground, and nothing that stands still can be seen in the world; it "
+        "should have a ground, or objects be placed in a volume");
+  }
+  const Cuboid box_G = boxAround(geometry.box(X_GL));
+  return {box_G.low.head<2>(), box_G.high.head<2>()};
+}
+
 }  // namespace
 
 SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
@@ -75,7 +95,7 @@ SceneArranger::SceneArranger(const SceneOptions& config, const std::vector<Camer
 randomize::PlacedObject SceneArranger::describe(std::size_t object, const ObjectVariants& variants,
                                                 bool on_map, base::Diagnostics& diagnostics) {
   const ObjectOptions& config = objects_[object];
-  randomize::PlacedObject placed{config.name, {}, config.takes_part};
+  randomize::PlacedObject placed{config.name, {}, config.takes_part && !config.stands};
   std::vector<double> reaches;
   for (std::size_t i = 0; i < variants.all().size(); ++i) {
     const Cuboid& box_O = boxes_O_[object][i];
@@ -84,7 +104,7 @@ randomize::PlacedObject SceneArranger::describe(std::size_t object, const Object
     const auto& given = config.safety_radius;
     placed.rooms.push_back({given ? *given * variants.all()[i].scale : own_radius, box_O});
   }
-  if (config.takes_part && on_map && !config.safety_radius) {
+  if (placed.takes_part && on_map && !config.safety_radius) {
     const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
     diagnostics.note(config.name + "/safety_radius",
                      fixed(*low, 3) + (*low < *high ? " to " + fixed(*high, 3) : "") +
@@ -101,11 +121,14 @@ void SceneArranger::setUpPlacer(const SceneOptions& config,
     return;  // reported already
   std::optional<randomize::OccupancyMap> map;
   if (on_map) map = readPlacementMap(config);
+  randomize::PlacementOptions options = config.placement;
+  const bool on_ground = options.mode == randomize::PlacementMode::kGround;
+  if (on_ground && !options.area) options.area = groundArea(world_);
   std::vector<randomize::PlacedObject> placed;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     placed.push_back(describe(i, variants[i], on_map, diagnostics));
   }
-  placer_.emplace(config.placement, map, std::move(placed), world_, *surroundings_,
+  placer_.emplace(options, map, std::move(placed), world_, *surroundings_,
                   static_cast<std::uint64_t>(config.seed));
 }
 
@@ -137,7 +160,16 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
 void SceneArranger::placeObjects(std::int64_t instant) {
   if (!placer_) return;
   const std::vector<std::optional<Pose>> X_GO = placer_->place(instant);
-  for (std::size_t i = 0; i < objects_.size(); ++i) frames_.place(object_frames_[i], X_GO[i]);
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (!objects_[i].stands) frames_.place(object_frames_[i], X_GO[i]);
+  }
+}
+
+void SceneArranger::followProps() {
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const bool stands = objects_[i].takes_part && objects_[i].stands;
+    if (stands) frames_.place(object_frames_[i], world_.poseOfOwn(i));
+  }
 }
 
 void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {

@@ -38,6 +38,9 @@ class SceneArranger {
   /// Puts the objects of a time's scenes, if that is done here: the world starts anew then.
   void placeObjects(std::int64_t instant);
 
+  /// Puts the frames of objects that physics moves to where the world has them now.
+  void followProps();
+
   /// Puts the distractors of a time's scenes, as the world stands.
   void placeDistractors(std::int64_t instant, Stamp stamp);
 

@@ -58,6 +58,13 @@ SceneVariation::SceneVariation(const SceneOptions& config, const std::vector<Cam
     errors.error("randomize/objects/" + name,
                  "robot_list has no object of this name" + didYouMean(name, names));
   }
+  for (const ObjectOptions& object : objects_) {
+    if (!object.stands || config_.objects.count(object.name) == 0) continue;
+    errors.error("randomize/objects/" + object.name,
+                 "found for an object that stands in the world; it is there in each scene, in its "
+                 "one shape and size, and materials/" +
+                     object.name + " paints it");
+  }
   errors.throwIfAny();
 }
 
@@ -68,7 +75,7 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const ObjectOptions& object = objects_[i];
     const auto share = config_.ofObject(object.name).present;
-    if (object.takes_part && share) {
+    if (object.takes_part && share && !object.stands) {
       present[i] = draws.happens("objects/" + object.name + "/present", *share);
     }
     variants.push_back(variants_[i].draw(draws));
@@ -78,13 +85,14 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
   chosen_ = draws.values();
 }
 
-/// Those that take part; of them as many as are drawn, whichever they are, where a count is.
+/// Those that take part; of them, but for those that stand in the world, as many as are drawn,
+/// whichever they are, where a count is.
 std::vector<bool> SceneVariation::choosePresent(randomize::EntryDraws& draws) const {
   std::vector<bool> present;
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     present.push_back(objects_[i].takes_part);
-    if (objects_[i].takes_part) candidates.push_back(i);
+    if (objects_[i].takes_part && !objects_[i].stands) candidates.push_back(i);
   }
   if (!config_.object_count) return present;
   const std::string entry = "object_count";

@@ -67,6 +67,11 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
     }
   }
   for (Model& model : distractors_in) paintDefaults(description.simulator, model);
+  objects.resize(objects_in.size());
+  for (std::size_t i = 0; i < objects_in.size(); ++i) {
+    const std::string& own = objects_in[i].of_world;
+    if (!own.empty()) own_objects.emplace(own, static_cast<int>(i));
+  }
   for (const Model& model : description.models) {
     const bool is_prop = !model.is_static && canMove(model);
     if (is_prop) {
@@ -75,7 +80,9 @@ World::Impl::Impl(Description description_in, std::vector<MovingObject> objects_
       addFixed(model, errors);
     }
   }
-  for (MovingObject& object : objects_in) addObject(std::move(object), errors);
+  for (std::size_t i = 0; i < objects_in.size(); ++i) {
+    addObject(std::move(objects_in[i]), static_cast<int>(i), errors);
+  }
   for (Model& model : distractors_in) addDistractor(std::move(model), errors);
   if (!description.gravity.allFinite()) errors.error("", "the world's gravity is not finite");
   errors.throwIfAny();
@@ -106,8 +113,18 @@ MovingCollisions World::Impl::collisionsOf(const Model& body) {
   return collisions;
 }
 
+/// The index of the object that a model of the description is, if it is one.
+int World::Impl::objectOf(const Model& model) {
+  const auto own = own_objects.find(model.name);
+  if (own == own_objects.end()) return -1;
+  Object& object = objects[static_cast<std::size_t>(own->second)];
+  if (object.of_world != nullptr) return -1;  // two models of the same name
+  object.of_world = &model;
+  return own->second;
+}
+
 void World::Impl::addFixed(const Model& model, base::Diagnostics& errors) {
-  static_cast<void>(addLinks(model, {nullptr, Role::kStatic}));
+  static_cast<void>(addLinks(model, {nullptr, Role::kStatic, objectOf(model)}));
   if (!model.is_static) {
     description.notes.push_back("model '" + model.name +
                                 "': it is not static, but has no collision that could hold it: it "
@@ -119,7 +136,7 @@ void World::Impl::addFixed(const Model& model, base::Diagnostics& errors) {
 }
 
 void World::Impl::addProp(const Model& model, base::Diagnostics& errors) {
-  const std::size_t first_link = addLinks(model, {nullptr, Role::kProp});
+  const std::size_t first_link = addLinks(model, {nullptr, Role::kProp, objectOf(model)});
   errors.attempt([&] {
     props.push_back({&model, first_link, makeProp(model), model.X_WM, model.X_WM, model.X_WM});
     const auto& notes = props.back().body.collisions.notes;
@@ -127,9 +144,11 @@ void World::Impl::addProp(const Model& model, base::Diagnostics& errors) {
   });
 }
 
-void World::Impl::addObject(MovingObject object, base::Diagnostics& errors) {
-  const auto index = static_cast<int>(objects.size());
-  Object& added = objects.emplace_back();
+void World::Impl::addObject(MovingObject object, int index, base::Diagnostics& errors) {
+  Object& added = objects[static_cast<std::size_t>(index)];
+  if (!object.of_world.empty() && added.of_world == nullptr) {
+    errors.error("", "the world has no model '" + object.of_world + "'");
+  }
   for (std::size_t i = 0; i < object.variants.size(); ++i) {
     const Model& model = object.variants[i].model;
     const std::size_t first_link = addLinks(model, {nullptr, Role::kObject, index, "", i});
@@ -341,6 +360,15 @@ std::size_t World::variant(std::size_t object) const {
 const std::vector<bool>& World::presentLinks() const { return impl_->present_links; }
 
 const std::vector<Pose>& World::linkPoses() const { return impl_->X_WL; }
+
+std::optional<Pose> World::poseOfOwn(std::size_t object) const {
+  const Model* model = impl_->objects[object].of_world;
+  if (model == nullptr) return std::nullopt;
+  for (const Impl::Prop& prop : impl_->props) {
+    if (prop.model == model) return prop.X_WM;
+  }
+  return model->X_WM;
+}
 
 std::int64_t World::propRevision() const { return impl_->prop_revision; }
 

@@ -25,7 +25,8 @@ enum class Role {
 struct LinkInstance {
   const Link* link = nullptr;  ///< lives as long as the world
   Role role = Role::kStatic;
-  int object = -1;          ///< index of the object, or labelled distractor, else -1
+  int object = -1;          ///< index of the object, or labelled distractor, else -1; static models
+                            ///< and props may be objects, too
   std::string model = "";   ///< the name of its model
   std::size_t variant = 0;  ///< index among its object's variants
 };
@@ -44,7 +45,8 @@ struct Interpenetration {
 /// Models that are neither objects nor static are props, each one rigid body: its links hold
 /// together as the file places them. An object is one kinematic body, or, where TF drives its
 /// links, several, which never count as inside one another. It may have several models, its
-/// variants, one of which is active at a time; only that one is seen and touched. Meshes of props
+/// variants, one of which is active at a time; only that one is seen and touched. An object of the
+/// world's own is labelled, and in all else a static model or a prop. Meshes of props
 /// and objects collide as their convex hulls, those of static models as their triangles. A prop
 /// without any collision that could hold it (Gazebo would let it fall for ever) stands still and
 /// counts as static; a prop that falls off the world stops after 10 km.
@@ -113,6 +115,9 @@ class World {
 
   /// Where the distractors are: X_WM of each that is present.
   [[nodiscard]] std::vector<std::optional<Pose>> distractorPoses() const;
+
+  /// X_WM of an object that is one of the world's own models, as it is shown; else nothing.
+  [[nodiscard]] std::optional<Pose> poseOfOwn(std::size_t object) const;
 
   /// What a distractor would be inside of at X_WM: a static model, a prop, an object that is
   /// present, as they stand now, or a distractor before it, where `X_WM_before` puts it.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,8 +42,9 @@ struct World::Impl {
   };
 
   struct Object {
-    std::vector<Variant> variants;
-    std::size_t active = 0;  ///< index of the variant that is seen and touched
+    std::vector<Variant> variants;    ///< none of one that is of the world's own
+    const Model* of_world = nullptr;  ///< that is it: static, or a prop's
+    std::size_t active = 0;           ///< index of the variant that is seen and touched
     bool is_present = true;
   };
 
@@ -57,9 +59,10 @@ struct World::Impl {
   Impl(Description description_in, std::vector<MovingObject> objects_in,
        const PhysicsOptions& options_in, std::vector<Model> distractors_in);
 
+  [[nodiscard]] int objectOf(const Model& model);
   void addFixed(const Model& model, base::Diagnostics& errors);
   void addProp(const Model& model, base::Diagnostics& errors);
-  void addObject(MovingObject object, base::Diagnostics& errors);
+  void addObject(MovingObject object, int index, base::Diagnostics& errors);
   void addDistractor(Model model, base::Diagnostics& errors);
   [[nodiscard]] std::size_t addLinks(const Model& model, LinkInstance instance);
   [[nodiscard]] MovingCollisions collisionsOf(const Model& body);
@@ -89,6 +92,7 @@ struct World::Impl {
   std::vector<FixedCollision> fixed;
   std::vector<Prop> props;
   std::vector<Object> objects;
+  std::map<std::string, int> own_objects;  ///< by the names of their models in the description
   std::vector<Distractor> distractors;
 
   std::vector<LinkInstance> links;

@@ -49,7 +49,7 @@ std::vector<StandingBody> World::Impl::standingProps() const {
 std::vector<StandingBody> World::Impl::standingObjects() const {
   std::vector<StandingBody> standing;
   for (const Object& object : objects) {
-    if (!object.is_present) continue;
+    if (!object.is_present || object.variants.empty()) continue;  // the world's own are no bodies
     const Variant& variant = object.variants[object.active];
     for (const Body& body : variant.bodies) {
       if (body.X_WB) standing.push_back({&body.collisions, *body.X_WB, variant.moving.model.name});
@@ -101,8 +101,9 @@ std::optional<std::vector<std::optional<Pose>>> World::drop(
   std::vector<std::size_t> dropped;  // objects, in the order in which they follow the props
   for (std::size_t i = 0; i < X_WO.size(); ++i) {
     const Impl::Object& object = world.objects[i];
+    if (!X_WO[i] || !object.is_present || object.variants.empty()) continue;
     const std::optional<PropModel>& model = object.variants[object.active].falling;
-    if (!X_WO[i] || !object.is_present || !model) continue;
+    if (!model) continue;
     falling.push_back({&*model, *X_WO[i]});
     dropped.push_back(i);
   }
@@ -120,7 +121,8 @@ std::optional<std::string> World::obstacleAt(
   const Impl& world = *impl_;
   std::vector<StandingBody> others = world.standingProps();
   for (std::size_t i = 0; i < X_WO_before.size(); ++i) {
-    if (X_WO_before[i]) others.push_back(world.standingObject(i, *X_WO_before[i]));
+    const bool is_body = X_WO_before[i] && !world.objects[i].variants.empty();
+    if (is_body) others.push_back(world.standingObject(i, *X_WO_before[i]));
   }
   return world.overlaps->obstacle(world.standingObject(static_cast<std::size_t>(object), X_WO),
                                   others, world.options.contact_tolerance);

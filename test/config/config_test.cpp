@@ -12,6 +12,7 @@
 namespace synthetic_dataset::config {
 namespace config_test {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -84,6 +85,16 @@ TEST(ReadConfig, LeftOutWritersAreTheOriginalsThree) {
   EXPECT_EQ(config.writers[2].output_folder, "/out/stvnet/");
 }
 
+TEST(ReadConfig, WithoutWritersAndTheOriginalsGroupsALineIsAskedFor) {
+  std::string text = with("yolo: {main_list: /out/list.txt}\n", "");
+  const std::string shape = "bounding_shape: {output_frame: map}\n";
+  text.erase(text.find(shape), shape.size());
+  const Reading reading(text);
+  EXPECT_THAT(reading.root.errors(),
+              ElementsAre(AllOf(HasSubstr("writers: missing"),
+                                HasSubstr("[{name: coco, type: synthetic_dataset/Coco}]"))));
+}
+
 TEST(ReadConfig, WritersMayShareATypeUnderTwoNames) {
   const Reading reading(plus("writers: [{name: a, type: p/Yolo}, {name: b, type: p/Yolo}]\n"));
   EXPECT_THAT(reading.root.errors(), IsEmpty());
@@ -109,10 +120,7 @@ TEST(ReadConfig, AllMissingParametersAreNamedAtOnce) {
       reading.root.errors(),
       UnorderedElementsAre("bag_file: required, but missing", "world: required, but missing",
                            HasSubstr("camera: no intrinsics"), "alpha/class: required, but missing",
-                           "alpha/id: required, but missing",
-                           HasSubstr("bounding_shape/output_folder: required, but missing"),
-                           HasSubstr("yolo/output_folder: required, but missing"),
-                           HasSubstr("stvnet/output_folder: required, but missing")));
+                           "alpha/id: required, but missing", HasSubstr("writers: missing")));
 }
 
 TEST(ReadConfig, TopicsMayBeNamedWithWhatTheyMove) {

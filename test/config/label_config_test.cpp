@@ -151,12 +151,17 @@ TEST(ReadSplit, HasTheSharesAboveZero) {
   EXPECT_THAT(split.shares, ElementsAre(Pair("train", 0.9), Pair("val", 0.1)));
   EXPECT_EQ(split.by, SplitBy::kBlocks);
   EXPECT_EQ(readSplit(settings("split: {train: 1, by: scenes}")).by, SplitBy::kScenes);
+  EXPECT_EQ(readSplit(settings("split: {train: 1, by: balanced_blocks}")).by,
+            SplitBy::kBalancedBlocks);
 }
 
 TEST(ReadSplit, RefusesWhatDoesNotAddUp) {
   Parameters sum = settings("split: {train: 0.8, val: 0.1}");
   (void)readSplit(sum);
   EXPECT_THAT(sum.errors(), ElementsAre(HasSubstr("split: found shares that add up to 0.9")));
+  Parameters rounded = settings("split: {train: 0.7, val: 0.1, test: 0.1}");
+  (void)readSplit(rounded);
+  EXPECT_THAT(rounded.errors(), ElementsAre(HasSubstr("add up to 0.9;")));
   Parameters share = settings("split: {train: 80, val: 20}");
   (void)readSplit(share);
   EXPECT_THAT(share.errors(),

@@ -56,6 +56,19 @@ TEST(ReadPlacement, ReadsAHeightInsteadOfASurface) {
   EXPECT_EQ(Reading("placement: {map: /a.yaml, surface: none}").placement.height, 0.0);
 }
 
+TEST(ReadPlacement, ReadsTheGround) {
+  const Reading all("placement: {mode: ground}");
+  EXPECT_THAT(all.root.errors(), IsEmpty());
+  EXPECT_EQ(all.placement.mode, randomize::PlacementMode::kGround);
+  EXPECT_FALSE(all.placement.area.has_value());
+  const Reading part(
+      "placement: {mode: ground, area: {min: [-1, 2], max: [3, 4.5]}, highest_surface: 9}");
+  EXPECT_THAT(part.root.errors(), IsEmpty());
+  EXPECT_EQ(part.placement.area->low, Eigen::Vector2d(-1, 2));
+  EXPECT_EQ(part.placement.area->high, Eigen::Vector2d(3, 4.5));
+  EXPECT_EQ(part.placement.surface.highest, 9.0);
+}
+
 TEST(ReadPlacement, ReadsAVolume) {
   const Reading reading("placement: {mode: volume, volume: {min: [-1, 2, 0.5], max: [1, 2, 3]}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
@@ -108,9 +121,10 @@ const char kDrop[] = "mode: drop, volume: {min: [0, 0, 0], max: [1, 1, 1]}";
 INSTANTIATE_TEST_SUITE_P(
     ReadPlacement, BadPlacements,
     ::testing::Values(
-        BadPlacement{"mode: mep, map: /a.yaml",
-                     "placement/mode: found 'mep'; it should be map, volume or drop; did you mean "
-                     "'map'?"},
+        BadPlacement{
+            "mode: mep, map: /a.yaml",
+            "placement/mode: found 'mep'; it should be map, ground, volume or drop; did you mean "
+            "'map'?"},
         BadPlacement{"",
                      "placement/map: no map; it should name map_server's YAML file, or "
                      "map_topic a topic of the bag or of the running system"},
@@ -146,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlacement{std::string(kVolume) + ", map: /a.yaml",
                      "placement/map: has a meaning with mode: map alone"},
         BadPlacement{std::string(kDrop) + ", steepest: 0.1",
-                     "placement/steepest: has a meaning with mode: map alone"},
+                     "placement/steepest: has a meaning with mode: map or ground alone"},
         BadPlacement{"map: /a.yaml, tries: 0", "placement/tries: found 0; it should be 1 to"},
         BadPlacement{"mode: volume", "placement/volume: missing; it should be {min: [x, y, z]"},
         BadPlacement{"mode: drop", "placement/volume: missing"},

@@ -202,6 +202,13 @@ TEST_F(GeneratorTest, NamesAModelThatIsMissingByItsSettingOnce) {
   EXPECT_THAT(errors(), ElementsAre("alpha/model: '/nowhere/rover.sdf': no such file"));
 }
 
+TEST_F(GeneratorTest, KnowsFilesThatAreSpeltNearlyAlike) {
+  parameters["bag_file"] = Value((run.folder() / "tniy.bag").string());
+  parameters["world"] = Value((run.folder() / "tinny.world").string());
+  EXPECT_THAT(errors(), testing::UnorderedElementsAre(HasSubstr("did you mean 'tiny.bag'?"),
+                                                      HasSubstr("did you mean 'tiny.world'?")));
+}
+
 TEST_F(GeneratorTest, SaysWhereRelativePathsStart) {
   parameters["bag_file"] = Value("recordings/gone.bag");
   EXPECT_THAT(errors(),
@@ -283,6 +290,11 @@ TEST_F(GeneratorTest, SuggestsAFrameThatIsSpeltNearlyAlike) {
   EXPECT_THAT(errors(),
               Contains(AllOf(testing::StartsWith("alpha/frame_id: frame 'alpha/base_lnik'"),
                              HasSubstr("alpha/base_link"))));
+}
+
+TEST_F(GeneratorTest, NamesTheSettingThatAWrongFrameCameFrom) {
+  parameters.at("alpha").as<Value::Map>()->emplace("frame", Value("alpha/base_lnik"));
+  EXPECT_THAT(errors(), Contains(testing::StartsWith("alpha/frame: frame 'alpha/base_lnik'")));
 }
 
 TEST_F(GeneratorTest, NamesAnObjectThatTheWorldDoesNotHave) {

@@ -258,6 +258,20 @@ TEST_F(PlacementTest, PutsObjectsOnTheFreePlacesOfTheMap) {
   }
 }
 
+TEST_F(PlacementTest, StandsObjectsOnTheGroundWithoutAMap) {
+  parameters["placement"] = Value(Value::Map{
+      {"mode", Value("ground")},
+      {"area", Value(Value::Map{{"min", listOf({-1.0, -1.0})}, {"max", listOf({1.0, 1.0})}})}});
+  (void)generate();
+  for (const ManifestScene& scene : scenesIn(folder)) {
+    for (const ManifestObject& object : scene.objects) {
+      const Vector3d p_G = object.X_GO.translation();
+      EXPECT_NEAR(p_G.z(), 0.0, 1e-4) << "the floor's height";
+      EXPECT_LE(p_G.head<2>().cwiseAbs().maxCoeff(), 1.0);
+    }
+  }
+}
+
 TEST_F(PlacementTest, PutsObjectsAnywhereInAVolume) {
   placement(volumeOf({-1, -1, 0.5}, {1, 1, 2}));
   std::set<double> heights;

@@ -29,8 +29,8 @@ std::array<std::string, 3> namesOf(const world::LinkInstance& link, const world:
 
 bool isMeant(const std::string& target, const world::LinkInstance& link,
              const world::Visual& visual) {
-  const bool is_object = link.role == world::Role::kObject;
   const bool is_distractor = link.role == world::Role::kDistractor;
+  const bool is_object = link.object >= 0 && !is_distractor;
   if (target == kObjects) return is_object;
   if (target == kDistractors) return is_distractor;
   if (target == kWorld) return !is_object && !is_distractor;

@@ -17,6 +17,7 @@ constexpr double kShortestFall = 2.5;  // [s]
 /// Where objects may be put.
 enum class PlacementMode {
   kMap,     ///< on the free places of an occupancy map
+  kGround,  ///< on what is there, anywhere in a rectangle
   kVolume,  ///< anywhere in a box, in any orientation
   kDrop,    ///< from there, until they have fallen and come to rest
 };
@@ -25,6 +26,12 @@ enum class PlacementMode {
 struct Volume {
   Eigen::Vector3d low{0, 0, 0};
   Eigen::Vector3d high{0, 0, 0};
+};
+
+/// A rectangle along the axes of the global frame, as seen from above [m].
+struct GroundArea {
+  Eigen::Vector2d low{0, 0};
+  Eigen::Vector2d high{0, 0};
 };
 
 /// What a surface has to be like for a thing to stand on it.
@@ -43,7 +50,8 @@ struct PlacementOptions {
   std::optional<Value> received_map;     ///< what that has sent: see received_map.h
   bool on_surface = true;                ///< of kMap: on what is below; else at `height`
   double height = 0.0;                   ///< of the objects' frames in the global frame [m]
-  SurfaceOptions surface;                ///< of kMap
+  SurfaceOptions surface;                ///< of kMap and kGround
+  std::optional<GroundArea> area;        ///< of kGround; none: all that stands still in the world
   Volume volume;                         ///< of kVolume and kDrop
   bool upright = false;                  ///< of kVolume and kDrop: turned about the vertical alone
   double rows = 0.0;                     ///< of kVolume and kDrop: in how many scenes objects

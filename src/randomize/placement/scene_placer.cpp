@@ -32,6 +32,7 @@ ScenePlacer::ScenePlacer(const PlacementOptions& config, const std::optional<Occ
                          std::vector<PlacedObject> objects, world::World& world,
                          Surroundings& surroundings, std::uint64_t seed)
     : config_(config), objects_(std::move(objects)), world_(world), seed_(seed) {
+  if (config_.mode == PlacementMode::kGround) stand_.emplace(surroundings, config_.surface);
   if (config_.mode != PlacementMode::kMap) return;
   std::vector<std::string> errors;
   for (const PlacedObject& object : objects_) {
@@ -141,7 +142,15 @@ const NeededRoom& ScenePlacer::roomOf(std::size_t object) const {
 }
 
 PoseOrReason ScenePlacer::draw(std::size_t object, base::RandomSource& source) const {
-  if (config_.mode == PlacementMode::kMap) return drawOnMap(object, source);
+  switch (config_.mode) {
+    case PlacementMode::kMap:
+      return drawOnMap(object, source);
+    case PlacementMode::kGround:
+      return drawOnGround(object, source);
+    case PlacementMode::kVolume:
+    case PlacementMode::kDrop:
+      break;
+  }
   return drawInVolume(source);
 }
 
@@ -153,6 +162,14 @@ PoseOrReason ScenePlacer::drawOnMap(std::size_t object, base::RandomSource& sour
   if (stand_) return stand_->at(*place, heading, room.box_O);
   const Eigen::AngleAxisd turn(heading, Eigen::Vector3d::UnitZ());
   return makePose({place->x(), place->y(), config_.height}, Eigen::Quaterniond(turn));
+}
+
+PoseOrReason ScenePlacer::drawOnGround(std::size_t object, base::RandomSource& source) const {
+  const Eigen::Vector2d& low = config_.area->low;
+  const Eigen::Vector2d& high = config_.area->high;
+  const double x = source.uniform(low.x(), high.x());
+  const double y = source.uniform(low.y(), high.y());
+  return stand_->at({x, y}, source.angle(), roomOf(object).box_O);
 }
 
 Pose ScenePlacer::drawInVolume(base::RandomSource& source) const {
@@ -168,7 +185,7 @@ std::optional<std::string> ScenePlacer::whyNot(std::size_t object, const Pose& X
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (!placed[i]) continue;
     Eigen::Vector3d apart = placed[i]->translation() - X_GO.translation();
-    if (config_.mode == PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
+    if (stand_ || config_.mode == PlacementMode::kMap) apart.z() = 0.0;  // as seen from above
     if (apart.norm() < radius + roomOf(i).safety_radius) {
       return "were too near '" + objects_[i].name + "'";
     }

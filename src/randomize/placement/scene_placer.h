@@ -32,13 +32,14 @@ struct PlacedObject {
 };
 
 /// Puts objects somewhere at random, scene by scene: on the free places of a map as the paper's
-/// first version did (Hart, Goodman, O'Shea), anywhere in a box, or dropped from there. Nothing is
-/// ever inside anything else.
+/// first version did (Hart, Goodman, O'Shea), anywhere on the ground, anywhere in a box, or dropped
+/// from there. Nothing is ever inside anything else.
 ///
 /// What comes out is a function of the seed, the scene and the objects alone; but for rows and what
 /// is in the way, each goes its own way.
 class ScenePlacer {
  public:
+  /// @param config  whose mode kGround has an area
   /// @param map  where the mode needs one
   /// @param objects  in the world's order
   /// @param world  has to outlive this, and so have its surroundings
@@ -59,6 +60,7 @@ class ScenePlacer {
   [[nodiscard]] const NeededRoom& roomOf(std::size_t object) const;
   [[nodiscard]] PoseOrReason draw(std::size_t object, base::RandomSource& source) const;
   [[nodiscard]] PoseOrReason drawOnMap(std::size_t object, base::RandomSource& source) const;
+  [[nodiscard]] PoseOrReason drawOnGround(std::size_t object, base::RandomSource& source) const;
   [[nodiscard]] Pose drawInVolume(base::RandomSource& source) const;
   [[nodiscard]] std::optional<std::string> whyNot(std::size_t object, const Pose& X_GO,
                                                   const Poses& placed) const;

@@ -8,8 +8,9 @@ namespace {
 std::vector<std::size_t> linksOfSurroundings(const world::World& world) {
   std::vector<std::size_t> links;
   for (std::size_t i = 0; i < world.links().size(); ++i) {
-    const world::Role role = world.links()[i].role;
-    if (role == world::Role::kStatic || role == world::Role::kProp) links.push_back(i);
+    const world::LinkInstance& link = world.links()[i];
+    const bool is_of_world = link.role == world::Role::kStatic || link.role == world::Role::kProp;
+    if (is_of_world && link.object < 0) links.push_back(i);
   }
   return links;
 }

@@ -176,6 +176,35 @@ double nearest(const std::vector<const Scene*>& scenes, std::size_t object) {
   return distance;
 }
 
+/// Cameras whose pictures are upside down, nearly all of the time.
+std::vector<Finding> upsideDown(const std::vector<const Scene*>& scenes) {
+  constexpr double kSteep = 0.8;    // who looks so far up or down has no horizon
+  constexpr double kUpright = 0.5;  // the sine of 30 degrees
+  struct Count {
+    std::size_t scenes = 0;
+    std::size_t upside_down = 0;
+  };
+  std::map<std::string, Count> cameras;
+  for (const Scene* scene : scenes) {
+    const Eigen::Matrix3d R_GC = scene->X_GC.linear();
+    Count& count = cameras[scene->camera_name];
+    ++count.scenes;
+    if (std::abs(R_GC(2, 2)) < kSteep && R_GC(2, 1) > kUpright) ++count.upside_down;
+  }
+  std::vector<Finding> findings;
+  for (const auto& [name, count] : cameras) {
+    if (count.upside_down == 0 || 10 * count.upside_down < 9 * count.scenes) continue;
+    findings.push_back({"upside down", name == "camera" ? name : "camera " + name,
+                        "its picture is upside down in " + std::to_string(count.upside_down) +
+                            " of " + std::to_string(count.scenes) +
+                            " scenes: the optical frame's y axis, which is down in the picture, "
+                            "points up",
+                        "its roll should be half a turn (3.1416, deg(180)) more or less; if it "
+                        "hangs so on purpose, all is well"});
+  }
+  return findings;
+}
+
 /// How many scenes say that an object is not seen: a camera that is put somewhere for each looks at
 /// one of them.
 std::size_t fewestThatTell(const MotionSetup& motion) {
@@ -183,6 +212,49 @@ std::size_t fewestThatTell(const MotionSetup& motion) {
       std::any_of(motion.cameras.begin(), motion.cameras.end(),
                   [](const scene::CameraRig& camera) { return camera.sampled; });
   return is_sampled ? 3 * motion.config.robotCount() : 2;
+}
+
+/// Of things that stand in the world, a camera that passes sees some: the first of a class speaks
+/// for all of them, and only where none is seen.
+bool othersSpeak(const MotionSetup& motion, std::size_t object,
+                 const std::vector<const Scene*>& scenes) {
+  const std::vector<scene::ObjectOptions>& objects = motion.config.objects;
+  if (!objects[object].stands) return false;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects[i].stands || objects[i].class_id != objects[object].class_id) continue;
+    const bool is_seen = std::any_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
+      return scene->objects[i].pixels.visible() > 0;
+    });
+    if (is_seen || i < object) return true;
+  }
+  return false;
+}
+
+/// What mends that an object is not seen.
+/// @param object  its index
+std::string cureOfUnseen(const MotionSetup& motion, std::size_t object, const Reasons& reasons) {
+  const std::string& name = motion.config.objects[object].name;
+  const bool is_looked_at =
+      std::any_of(motion.cameras.begin(), motion.cameras.end(), [&](const scene::CameraRig& each) {
+        return each.looks_at && each.looks_at->object == object;
+      });
+  if (!is_looked_at) {
+    return "`camera/pose: {position: [x, y, z], look_at: " + name +
+           "}` aims the camera at it; the map shows where both are";
+  }
+  const auto most = std::max_element(
+      reasons.begin(), reasons.end(),
+      [](const auto& one, const auto& other) { return one.second < other.second; });
+  const std::string& reason = most->first;
+  if (reason == "smaller than a pixel") {
+    return "the camera looks at it already: a nearer position would help, or a larger model, if "
+           "its mesh is in millimetres and was read as if in metres, or the other way round";
+  }
+  if (reason == "beyond camera/far") {
+    return "the camera looks at it already: a greater camera/far or a nearer position would help";
+  }
+  return "the camera looks at it already: a position from which nothing hides it would help; the "
+         "map shows where both are";
 }
 
 }  // namespace
@@ -210,6 +282,7 @@ std::vector<Finding> checkCameras(const MotionSetup& motion, const NamedRays& ra
                         "the map shows where it stands; its pose, or its frame in the recording, "
                         "should be another"});
   }
+  for (Finding& each : upsideDown(scenes)) findings.push_back(std::move(each));
   return findings;
 }
 
@@ -252,13 +325,12 @@ std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays&
     }
     const std::size_t count = with_it.size();
     const bool is_rare = seen == 0 ? count >= few : seen == 1 && count >= 4 * few;
-    if (!is_rare) continue;
+    if (!is_rare || othersSpeak(motion, i, scenes)) continue;
     findings.push_back({"not seen", config.name,
                         "seen in " + std::string(seen == 0 ? "none" : "1") + " of " +
                             std::to_string(count) + " scenes: " + textOf(reasons) +
                             "; it is at least " + fixed(nearest(with_it, i), 1) + " m away",
-                        "`camera/pose: {position: [x, y, z], look_at: " + config.name +
-                            "}` aims the camera at it; the map shows where both are"});
+                        cureOfUnseen(motion, i, reasons)});
   }
   return findings;
 }

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "base/name_list.h"
 #include "run/check/moments.h"
 #include "scene/camera_rig.h"
 #include "synthetic_dataset/label_text.h"
@@ -38,7 +40,8 @@ std::vector<FollowedFrame> followedFrames(const MotionSetup& motion) {
     }
   }
   for (const scene::CameraRig& camera : motion.cameras) {
-    if (camera.followsFrame()) frames.push_back({camera.name, camera.frame, camera.followed});
+    const std::string frame = camera.neededFrame();
+    if (!frame.empty()) frames.push_back({camera.name, frame, camera.followed});
   }
   return frames;
 }
@@ -83,6 +86,26 @@ bool standsStill(const MotionSetup& motion, motion::FrameId frame,
          });
 }
 
+/// Frames with the same prefix that move: those of a robot's base first, then by name.
+std::vector<std::string> movingNeighbours(const MotionSetup& motion, const std::string& frame) {
+  const std::string prefix = frame.substr(0, frame.rfind('/') + 1);
+  if (prefix.empty()) return {};
+  const std::vector<std::size_t> times = evenlySpread(motion.timeline.stamps.size(), 5);
+  std::vector<std::string> bases;
+  std::vector<std::string> others;
+  for (const std::string& name : motion.frames->names().all()) {
+    if (name == frame || name.rfind(prefix, 0) != 0) continue;
+    const auto id = motion.frames->find(name);
+    if (!id || !motion.frames->pose(*id, motion.timeline.stamps[times.front()])) continue;
+    if (standsStill(motion, *id, times)) continue;
+    (name.find("base_") != std::string::npos ? bases : others).push_back(name);
+  }
+  std::sort(bases.begin(), bases.end());
+  std::sort(others.begin(), others.end());
+  bases.insert(bases.end(), others.begin(), others.end());
+  return bases;
+}
+
 /// Static on purpose is right; what is published again and again should move.
 void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFrame>& frames,
                         std::vector<Finding>& findings) {
@@ -90,13 +113,21 @@ void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFra
   const std::vector<std::size_t> times = evenlySpread(stamps.size(), 50);
   for (const FollowedFrame& frame : frames) {
     if (!frame.is_objects || times.size() < 2) continue;
-    if (!motion.frames->recordedPeriod(frame.id, stamps[stamps.size() / 2])) continue;
+    const bool is_static = !motion.frames->recordedPeriod(frame.id, stamps[stamps.size() / 2]);
     if (!standsStill(motion, frame.id, times)) continue;
-    findings.push_back({"never moves", frame.owner,
-                        "its frame '" + frame.name + "' is recorded, and does not move in the " +
-                            fixed(toSeconds(stamps.back() - stamps.front()), 1) + " s of the run",
-                        "`frame:` may have to name another, and global_frame the one that it moves "
-                        "in; if it stands there on purpose, all is well"});
+    const std::vector<std::string> others = movingNeighbours(motion, frame.name);
+    if (is_static && others.empty()) continue;
+    findings.push_back(
+        {"never moves", frame.owner,
+         "its frame '" + frame.name + "' is " + (is_static ? "static" : "recorded") +
+             ", and does not move in the " + fixed(toSeconds(stamps.back() - stamps.front()), 1) +
+             " s of the run" +
+             (others.empty() ? "" : ", while " + base::listed(others, 3) + " does"),
+         others.empty()
+             ? "`frame:` may have to name another, and global_frame the one that it moves in; if "
+               "it stands there on purpose, all is well"
+             : "`frame: " + others.front() +
+                   "` follows that; if it stands there on purpose, all is well"});
   }
 }
 
@@ -149,6 +180,15 @@ void checkEqualScenes(const MotionSetup& motion, const std::vector<motion::Frame
                       "lower simulated_rate or randomize makes scenes differ"});
 }
 
+/// How a model's file says in which size its meshes are: URDF and SDF differ.
+std::string scaleOf(const scene::ObjectOptions& object) {
+  const std::string model = object.model.value_or("");
+  const bool is_urdf = model.find(".urdf") != std::string::npos ||
+                       model.find(".xacro") != std::string::npos ||
+                       model.find("<robot") != std::string::npos;
+  return is_urdf ? "the attribute `scale` of <mesh> in its URDF" : "<scale> of <mesh> in its file";
+}
+
 void checkObjectSizes(const MotionSetup& motion, std::vector<Finding>& findings) {
   constexpr double kLargest = 60.0;    // [m]; a jet or a crane
   constexpr double kSmallest = 0.004;  // [m]; a screw
@@ -163,11 +203,11 @@ void checkObjectSizes(const MotionSetup& motion, std::vector<Finding>& findings)
     findings.push_back({"size", object.name,
                         "its model is " + fixed(size.x(), decimals) + " x " +
                             fixed(size.y(), decimals) + " x " + fixed(size.z(), decimals) + " m",
-                        is_large
-                            ? "of a mesh in millimetres, the file's <scale> should be "
-                              "`0.001 0.001 0.001`"
-                            : "its mesh may have been scaled twice: <scale> in the file and in "
-                              "the mesh's own unit"});
+                        is_large ? "of a mesh in millimetres, " + scaleOf(object) +
+                                       " should be "
+                                       "`0.001 0.001 0.001`"
+                                 : "its mesh may have been scaled twice: by " + scaleOf(object) +
+                                       " and by the mesh's own unit"});
   }
 }
 

@@ -9,7 +9,8 @@ namespace synthetic_dataset::run {
 namespace {
 
 bool isAround(const world::LinkInstance& link) {
-  return link.role == world::Role::kStatic || link.role == world::Role::kProp;
+  const bool is_of_world = link.role == world::Role::kStatic || link.role == world::Role::kProp;
+  return is_of_world && link.object < 0;
 }
 
 std::vector<world::LinkInstance> surroundingLinks(const world::World& world) {

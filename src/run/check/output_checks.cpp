@@ -48,4 +48,13 @@ std::optional<Finding> checkEarlierRun(const RunSetup& setup,
   return finding;
 }
 
+std::vector<Finding> checkFilesInTheWay(const RunSetup& setup) {
+  std::vector<Finding> findings;
+  for (const std::string& each :
+       output::filesInTheWay(setup.config.output, setup.writers->storeWriters())) {
+    findings.push_back({"files in the way", "output_folder", each, ""});
+  }
+  return findings;
+}
+
 }  // namespace synthetic_dataset::run

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "output/dataset_opening.h"
 #include "run/check/finding.h"
@@ -18,5 +19,8 @@ constexpr const char* kEarlierDataset = "earlier dataset";
 /// Says so if the run would be refused because of an earlier dataset.
 [[nodiscard]] std::optional<Finding> checkEarlierRun(
     const RunSetup& setup, const std::optional<output::EarlierRun>& earlier);
+
+/// Files of others where the run's files go: generate would refuse them.
+[[nodiscard]] std::vector<Finding> checkFilesInTheWay(const RunSetup& setup);
 
 }  // namespace synthetic_dataset::run

@@ -192,11 +192,37 @@ std::vector<Finding> checkScenes(const MotionSetup& motion,
   return joinAlike(findings);
 }
 
+/// Whether it is about a file that `on_missing_asset: warn` lets be missing.
+bool isAboutMissingFile(const base::Diagnostic& each, const RunSetup& setup) {
+  const bool may_be =
+      std::any_of(setup.motions.begin(), setup.motions.end(), [](const MotionSetup& motion) {
+        return motion.config.world.loading.on_missing_asset == world::OnMissingAsset::kWarn;
+      });
+  return may_be && each.severity == base::Severity::kWarning &&
+         each.what.find("no such file") != std::string::npos;
+}
+
+/// All of them in a line: they were accepted, and change what is seen at their places alone.
+std::optional<Finding> missingFiles(const RunSetup& setup) {
+  std::vector<std::string> missing;
+  for (const base::Diagnostic& each : setup.diagnostics.all()) {
+    if (isAboutMissingFile(each, setup)) missing.push_back(each.message());
+  }
+  if (missing.empty()) return std::nullopt;
+  if (missing.size() == 1) return Finding{"missing files", "world", missing.front(), ""};
+  return Finding{"missing files", "world",
+                 std::to_string(missing.size()) +
+                     " files are missing, and what needs them is left out (on_missing_asset: "
+                     "warn), the first: " +
+                     missing.front(),
+                 "`inspect` names all"};
+}
+
 /// What was found at set-up: what is odd, and all else that the user is warned of.
 std::vector<Finding> setupFindings(const RunSetup& setup) {
   std::vector<Finding> findings = setup.findings;
   for (const base::Diagnostic& each : setup.diagnostics.all()) {
-    if (each.severity != base::Severity::kWarning) continue;
+    if (each.severity != base::Severity::kWarning || isAboutMissingFile(each, setup)) continue;
     const bool is_known =
         std::any_of(setup.findings.begin(), setup.findings.end(),
                     [&](const Finding& finding) { return finding.message() == each.message(); });
@@ -221,7 +247,7 @@ RunCheck checkRun(const Value& parameters, Reporter& reporter,
 }
 
 RunCheck checkRun(RunSetup setup, Reporter& reporter) {
-  RunCheck check{std::move(setup), {}, {}, {}, {}};
+  RunCheck check{std::move(setup), {}, {}, {}, {}, {}};
   requireFolder(check.setup.config.output.folder);
   CheckSink sink(check.setup, chosenInstants(check.setup));
   CheckWatch stopwatch(reporter);
@@ -235,11 +261,15 @@ RunCheck checkRun(RunSetup setup, Reporter& reporter) {
     append(check.findings, findings);
   }
   append(check.findings, sink.statistics().findings());
+  check.splits = labelsOfSplits(check.setup);
+  append(check.findings, checkSplits(check.setup, check.splits));
   check.variety = varietyOf(check.setup, check.scenes);
   if (check.variety) append(check.findings, checkVariety(*check.variety));
   append(check.findings, checkFigures(check.figures));
   const auto earlier = checkEarlierRun(check.setup, earlierRunOf(check.setup));
   if (earlier) check.findings.push_back(*earlier);
+  append(check.findings, checkFilesInTheWay(check.setup));
+  if (const auto missing = missingFiles(check.setup)) check.findings.push_back(*missing);
   return check;
 }
 

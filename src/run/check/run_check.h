@@ -6,6 +6,7 @@
 
 #include "run/check/finding.h"
 #include "run/check/run_figures.h"
+#include "run/check/split_checks.h"
 #include "run/check/variety_checks.h"
 #include "run/reporter.h"
 #include "run/scene_sink.h"
@@ -20,6 +21,7 @@ struct RunCheck {
   std::vector<FinishedScene> scenes;  ///< some of the run's, spread over it
   RunFigures figures;
   std::optional<SceneVariety> variety;  ///< of these scenes, if they have labels
+  std::vector<SplitLabels> splits;      ///< what each split would have; none: not known
   std::vector<Finding> findings;
 };
 

@@ -142,6 +142,25 @@ void checkGap(const std::string& object, const Below& below, std::vector<Finding
   }
 }
 
+/// Whether it is put anywhere in a volume, and most of the time above the ground.
+bool hangsByChance(const MotionSetup& motion, const Below& below) {
+  constexpr double kHangs = 0.03;  // [m]
+  const auto hanging =
+      std::count_if(below.gaps.begin(), below.gaps.end(), [](double gap) { return gap > kHangs; });
+  return motion.config.isPlaced() &&
+         motion.config.placement.mode == randomize::PlacementMode::kVolume && hanging > 0 &&
+         2 * static_cast<std::size_t>(hanging) > below.moments;
+}
+
+Finding hanging(const std::string& object, const Below& below) {
+  return {"hangs", object,
+          "hangs in the air above '" + below.ground + "' in most of the scenes, by " +
+              lengthText(medianGap(below.gaps)) +
+              " in the middle: `placement/mode: volume` puts it anywhere in the volume",
+          "`placement: {mode: ground}` lets it stand, `mode: drop` fall; if it flies on purpose, "
+          "all is well"};
+}
+
 }  // namespace
 
 std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& rays,
@@ -150,6 +169,7 @@ std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& r
   for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
     const scene::ObjectOptions& object = motion.config.objects[i];
     if (!object.takes_part || object.is_distractor) continue;
+    if (object.stands && !object.X_GM) continue;        // the world's author has put it there
     if (motion.variants[i].all().size() > 1) continue;  // which stand at several heights
     const Cuboid box_O = motion.shapes->boxesAtRest(i).front();
     Below below;
@@ -167,7 +187,11 @@ std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& r
       const Moment& first = moments[below.without_ground.front()];
       findings.push_back(noGround(object.name, below, first, *first.X_GO[i]));
     }
-    checkGap(object.name, below, findings);
+    if (hangsByChance(motion, below)) {
+      findings.push_back(hanging(object.name, below));
+    } else {
+      checkGap(object.name, below, findings);
+    }
   }
   return findings;
 }

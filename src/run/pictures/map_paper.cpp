@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <opencv2/imgproc.hpp>
 
@@ -89,8 +90,29 @@ void MapPaper::name(const std::string& text, const Eigen::Vector3d& point, const
   cv::Point corner = at(point) + cv::Point(8, -6);
   corner.x = std::clamp(corner.x, 2, std::max(2, picture_.cols - size.width - 2));
   corner.y = std::clamp(corner.y, size.height + 2, picture_.rows - kFooter - 4);
-  cv::rectangle(picture_, corner + cv::Point(-2, below),
-                corner + cv::Point(size.width + 2, -size.height - 2), kMapPaper, cv::FILLED);
+  const auto around = [&](const cv::Point& at) {
+    return cv::Rect(at + cv::Point(-2, -size.height - 2), at + cv::Point(size.width + 2, below));
+  };
+  const auto isFree = [&](const cv::Point& at) {
+    const cv::Rect wanted = around(at);
+    const bool is_inside = wanted.y >= 0 && wanted.br().y <= picture_.rows - kFooter;
+    return is_inside && std::none_of(names_.begin(), names_.end(), [&](const cv::Rect& other) {
+             return (wanted & other).area() > 0;
+           });
+  };
+  constexpr int kMostSteps = 12;
+  const int step = size.height + below + 5;
+  cv::Point free = corner;
+  for (int i = 1; i <= 2 * kMostSteps && !isFree(free); ++i) {  // below, above, further below, ...
+    free.y = corner.y + (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2) * step;
+  }
+  if (!isFree(free)) free = corner;
+  if (std::abs(free.y - corner.y) > step) {
+    cv::line(picture_, at(point), free + cv::Point(-2, -size.height / 2), ink, 1, cv::LINE_AA);
+  }
+  corner = free;
+  names_.push_back(around(corner));
+  cv::rectangle(picture_, names_.back(), kMapPaper, cv::FILLED);
   cv::putText(picture_, text, corner, kMapFont, kMapFontScale, ink, 1, cv::LINE_AA);
 }
 

@@ -25,7 +25,7 @@ class MapPaper {
   void line(const std::vector<Eigen::Vector3d>& points, const cv::Scalar& ink);
   void dot(const Eigen::Vector3d& point, const cv::Scalar& ink);
 
-  /// A text beside a point, all of it on the paper.
+  /// A text beside a point, all of it on the paper; where another one is, further away with a line.
   void name(const std::string& text, const Eigen::Vector3d& point, const cv::Scalar& ink);
 
   /// Lines through whole multiples of the scale's length, with their coordinates.
@@ -45,6 +45,7 @@ class MapPaper {
   double scale_;  ///< [px/m]
   double step_;   ///< of the grid [m]: 1, 2 or 5 times a power of ten
   cv::Mat picture_;
+  std::vector<cv::Rect> names_;  ///< where texts are
 };
 
 }  // namespace synthetic_dataset::run

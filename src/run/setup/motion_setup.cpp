@@ -86,15 +86,16 @@ class MotionBuilder {
     if (!source) return;
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
     if (config().isPlaced()) placeObjects();
-    // Labelled distractors among them are placed scene by scene.
+    // Labelled distractors among them are placed scene by scene, what physics moves too.
     for (const scene::ObjectOptions& each : config().objects) {
       if (!each.takes_part) setup_.frames->place(each.frame, std::nullopt);
+      if (each.takes_part && each.stands) placeSomewhere(each.frame);
     }
   }
 
   void placeObjects() {
     for (const scene::ObjectOptions& each : config().objects) {
-      if (!each.takes_part) continue;
+      if (!each.takes_part || each.stands) continue;
       if (setup_.frames->isPlaced(each.frame) || each.frame == config().global_frame) {
         diagnostics().error(
             each.name + "/frame",
@@ -125,7 +126,7 @@ class MotionBuilder {
     };
     for (const scene::ObjectOptions& object : config().objects) add(object.frame);
     for (const scene::CameraRig& camera : setup_.cameras) {
-      if (camera.followsFrame()) add(camera.frame);
+      if (const std::string frame = camera.neededFrame(); !frame.empty()) add(frame);
     }
     for (const std::vector<scene::DrivenLinks>& object : setup_.driven_links) {
       for (const scene::DrivenLinks& variant : object) {
@@ -156,6 +157,12 @@ class MotionBuilder {
     setup_.inputs = std::move(world.inputs);
     setup_.included = std::move(world.included);
     setup_.world = std::move(world.world);
+    if (setup_.frames) {
+      for (const scene::ObjectOptions& object : config().objects) {
+        const auto X_GM = world.standing_G.find(object.name);
+        if (X_GM != world.standing_G.end()) setup_.frames->place(object.frame, X_GM->second);
+      }
+    }
     if (!setup_.world) return;
     const std::vector<world::LinkInstance>& links = setup_.world->links();
     setup_.world_classes = scene::worldClassNumbers(config().world_classes, links, diagnostics());

@@ -1,5 +1,6 @@
 #include "run/setup/recording_setup.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,16 @@ namespace {
 /// The frames that have to be known: of objects, and of cameras that are where their frame is.
 std::vector<std::string> neededFrames(const config::Config& config) {
   std::vector<std::string> frames;
+  std::set<std::string> objects;
   for (const scene::ObjectOptions& object : config.objects) {
-    if (object.takes_part && !object.is_distractor) frames.push_back(object.frame);
+    objects.insert(object.name);
+    const bool is_followed = object.takes_part && !object.is_distractor && !object.stands;
+    if (is_followed) frames.push_back(object.frame);
   }
   for (const scene::CameraOptions& camera : config.cameras) {
     const bool has_pose = camera.X_GC || camera.aim || camera.on || camera.sample || camera.sensor;
     if (camera.frame && !has_pose) frames.push_back(*camera.frame);
+    if (camera.on && objects.count(*camera.on) == 0) frames.push_back(*camera.on);
   }
   return frames;
 }
@@ -30,7 +35,7 @@ std::vector<std::string> neededFrames(const config::Config& config) {
 std::vector<motion::JointedRobot> robotsOf(const config::Config& config, WorldFiles& files) {
   std::vector<motion::JointedRobot> robots;
   for (const scene::ObjectOptions& object : config.objects) {
-    if (!object.takes_part || !object.model) continue;
+    if (!object.takes_part || !object.model || object.stands) continue;
     try {
       const world::Model& model = files.model(*object.model, object.name, object.model_arguments);
       const auto robot = scene::jointedRobot(model, object);

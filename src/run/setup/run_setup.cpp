@@ -11,6 +11,7 @@
 #include "config/motion_list.h"
 #include "config/object_count.h"
 #include "run/check/motion_checks.h"
+#include "run/setup/balanced_blocks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/input_cache.h"
 #include "run/setup/run_record.h"
@@ -20,6 +21,7 @@
 #include "run/setup/setup_notes.h"
 #include "run/setup/split_plan.h"
 #include "run/setup/transfer_preset.h"
+#include "run/setup/world_objects.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -28,12 +30,14 @@ namespace {
 class Builder {
  public:
   Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
-          InputCache& inputs, const base::OnStage& on_stage)
+          InputCache& inputs, const base::OnStage& on_stage, const base::Diagnostics& known)
       : parameters_(parameters),
         plugin_xml_files_(plugin_xml_files),
         inputs_(inputs),
         on_stage_(on_stage),
-        list_(config::readMotions(parameters)) {}
+        list_(config::readMotions(parameters)) {
+    setup_.diagnostics.merge(known);
+  }
 
   RunSetup build() {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
@@ -161,12 +165,20 @@ class Builder {
     for (std::size_t i = 0; i < setup_.motions.size(); ++i) {
       const MotionSetup& motion = setup_.motions[i];
       parts.push_back({motion.instantCount(), motion.entry.split,
-                       i < blocks_.size() ? blocks_[i] : std::vector<std::int64_t>()});
+                       i < blocks_.size() ? blocks_[i] : std::vector<std::int64_t>(),
+                       i < chosen_.size() ? chosen_[i] : chosenBlocks(motion)});
     }
     const auto plan = diagnostics().attempt([&] {
       return SplitPlan(config().split, static_cast<std::uint64_t>(config().seed), parts);
     });
     if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
+  }
+
+  /// The share of each time of a recording whose blocks are chosen; else nothing.
+  [[nodiscard]] std::vector<std::uint8_t> chosenBlocks(const MotionSetup& motion) const {
+    const config::SplitConfig& split = config().split;
+    if (split.by != config::SplitBy::kBalancedBlocks || motion.entry.split) return {};
+    return balancedBlocks(split, expectedLabels(motion));
   }
 
   /// Between blocks of a recording. Of scenes that are drawn from one, the user is warned.
@@ -183,10 +195,15 @@ class Builder {
           "neighbours in time in train that look alike, and results on them are too "
           "good; `by: blocks` with a `gap` keeps them apart");
     }
-    if (split.gap <= 0.0 || split.by != config::SplitBy::kBlocks) return;
+    if (split.gap <= 0.0 || split.by == config::SplitBy::kScenes) return;
     for (MotionSetup& motion : setup_.motions) {
       blocks_.emplace_back();
-      if (isDivided(motion)) blocks_.back() = leaveOutGaps(split, motion.timeline);
+      chosen_.push_back(chosenBlocks(motion));
+      if (!chosen_.back().empty()) {
+        leaveOutGaps(split, motion.timeline, chosen_.back());
+      } else if (isDivided(motion)) {
+        blocks_.back() = leaveOutGaps(split, motion.timeline);
+      }
     }
     if (!any) {
       diagnostics().warning("split/gap",
@@ -353,6 +370,7 @@ class Builder {
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
   std::vector<std::vector<std::int64_t>> blocks_;         ///< of the motions; empty: by the shares
+  std::vector<std::vector<std::uint8_t>> chosen_;         ///< of the motions, where blocks are
   std::optional<Credits> credits_;                        ///< found when they are first asked for
 
   /// By object, those that writers have asked for.
@@ -369,11 +387,13 @@ Value counted(const Value& parameters) {
 
 RunSetup built(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
                InputCache& inputs, const base::OnStage& on_stage) {
-  const Value given = counted(parameters);
+  const SpelledWorldObjects of_world = spellOutWorldObjects(counted(parameters), inputs);
+  const Value& given = of_world.settings;
   const ExpandedPreset spelled = expandPreset(given, inputs);
   RunSetup setup = [&] {
     try {
-      return Builder(spelled.settings, plugin_xml_files, inputs, on_stage).build();
+      return Builder(spelled.settings, plugin_xml_files, inputs, on_stage, of_world.diagnostics)
+          .build();
     } catch (const ErrorList& errors) {
       throw ErrorList(explainPreset(errors.messages(), given, spelled.settings));
     }
@@ -392,7 +412,7 @@ std::int64_t RunSetup::instantCount() const {
 
 Value spelledOut(const Value& parameters) {
   InputCache inputs;
-  return expandPreset(counted(parameters), inputs).settings;
+  return expandPreset(spellOutWorldObjects(counted(parameters), inputs).settings, inputs).settings;
 }
 
 RunSetup setUpRun(const Value& parameters, const std::vector<std::string>& plugin_xml_files,

@@ -84,8 +84,7 @@ std::string withSetting(const std::string& message,
                         const std::vector<scene::ObjectOptions>& objects) {
   for (const scene::ObjectOptions& object : objects) {
     if (message.rfind("frame '" + object.frame + "' ", 0) != 0) continue;
-    const bool is_below = object.frame.rfind(object.name + "/", 0) == 0;
-    return object.name + (is_below ? "/frame_id: " : "/frame: ") + message;
+    return object.name + (object.frame_is_given ? "/frame: " : "/frame_id: ") + message;
   }
   return message;
 }
@@ -122,7 +121,7 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
   Duration open{0};
   for (const scene::ObjectOptions& object : config.objects) names.push_back(object.frame);
   for (const scene::CameraRig& camera : cameras) {
-    if (camera.followsFrame()) names.push_back(camera.frame);
+    if (const std::string frame = camera.neededFrame(); !frame.empty()) names.push_back(frame);
     open = std::max(open, scene::openTime(camera.shutter));
   }
   motion::Timeline timeline = findTimeline(names, frames, config, std::move(stamps));

@@ -77,6 +77,13 @@ std::uint8_t SplitPlan::numberOf(const std::string& name) const {
 
 std::vector<std::uint8_t> SplitPlan::blocks(const config::SplitConfig& config,
                                             const SplitPart& part) const {
+  if (!part.chosen.empty()) {
+    std::vector<std::uint8_t> splits;
+    for (const std::uint8_t share : part.chosen) {
+      splits.push_back(numberOf(config.shares[share].first));
+    }
+    return splits;
+  }
   std::vector<std::int64_t> ends = blockEnds(config, part.instant_count);
   std::int64_t end = 0;
   for (std::size_t i = 0; i < part.blocks.size(); ++i) ends.at(i) = end += part.blocks[i];
@@ -122,6 +129,25 @@ std::vector<std::int64_t> leaveOutGaps(const config::SplitConfig& config,
   }
   timeline.left_out_split = static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
   return counts;
+}
+
+void leaveOutGaps(const config::SplitConfig& config, motion::Timeline& timeline,
+                  std::vector<std::uint8_t>& chosen) {
+  const Duration gap = base::fromSeconds(config.gap);
+  const motion::Timeline all = timeline;
+  const std::vector<std::uint8_t> all_chosen = std::exchange(chosen, {});
+  timeline.stamps.clear();
+  timeline.jitter.clear();
+  std::optional<Stamp> last;  // of the block before
+  for (std::size_t i = 0; i < all.stamps.size(); ++i) {
+    const bool begins = i > 0 && all_chosen[i] != all_chosen[i - 1];
+    if (begins && !timeline.stamps.empty()) last = timeline.stamps.back();
+    if (last && all.stamps[i] - *last < gap) continue;
+    timeline.stamps.push_back(all.stamps[i]);
+    if (!all.jitter.empty()) timeline.jitter.push_back(all.jitter[i]);
+    chosen.push_back(all_chosen[i]);
+  }
+  timeline.left_out_split = static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
 }
 
 }  // namespace synthetic_dataset::run

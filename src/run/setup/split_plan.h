@@ -21,6 +21,7 @@ struct SplitPart {
   std::optional<std::string> split = std::nullopt;  ///< of all of them; nothing: as drawn
   std::vector<std::int64_t> blocks =
       {};  ///< the number in each share's block; empty: by the shares
+  std::vector<std::uint8_t> chosen = {};  ///< the share of each time; empty: in blocks
 };
 
 /// Which split each of a run's times belongs to: a function of the settings, the seed and the
@@ -57,5 +58,10 @@ class SplitPlan {
 /// @return how many times each of the shares' blocks has now
 [[nodiscard]] std::vector<std::int64_t> leaveOutGaps(const config::SplitConfig& config,
                                                      motion::Timeline& timeline);
+
+/// The same where blocks are chosen.
+/// @param chosen  the share of each time; those that are left out go from it, too
+void leaveOutGaps(const config::SplitConfig& config, motion::Timeline& timeline,
+                  std::vector<std::uint8_t>& chosen);
 
 }  // namespace synthetic_dataset::run

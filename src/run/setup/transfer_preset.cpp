@@ -205,11 +205,15 @@ const world::Model& modelOf(const scene::ObjectOptions& object, WorldFiles& file
   return *found;
 }
 
-/// Of the largest object [m]; what is wrong with models is said when they are loaded.
+/// Of the largest object [m], where some move: of those; what is wrong with models is said when
+/// they are loaded.
 double largestSize(const config::Config& config, InputCache& inputs) {
   WorldFiles& files = inputs.worlds.filesFor(config.world);
   double largest = 0.0;
+  const bool some_move = std::any_of(config.objects.begin(), config.objects.end(),
+                                     [](const auto& object) { return !object.stands; });
   for (const scene::ObjectOptions& object : config.objects) {
+    if (some_move && object.stands) continue;
     try {
       largest = std::max(largest, sizeOf(modelOf(object, files)));
     } catch (const Error&) {
@@ -324,7 +328,10 @@ ExpandedPreset expandPreset(const Value& settings, InputCache& inputs) {
   measured.erase("randomize");
   const config::Config config = config::readConfig(Parameters(Value(measured)));
   const double size = largestSize(config, inputs);
-  const std::size_t objects = std::max<std::size_t>(config.robotCount(), 1);
+  const auto placed = std::count_if(
+      config.objects.begin(), config.objects.end(),
+      [](const scene::ObjectOptions& object) { return !object.stands && !object.is_distractor; });
+  const std::size_t objects = std::max<std::size_t>(static_cast<std::size_t>(placed), 1);
   Value::Map& randomize = *groupIn(expanded, "randomize");
   const bool counts = isPlaced(own) && !saysWhatIsPresent(own);
   if (counts) randomize["object_count"] = countOf(objects);

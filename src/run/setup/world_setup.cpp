@@ -13,6 +13,7 @@
 #include "randomize/appearance/room.h"
 #include "render/light/light_setup.h"
 #include "render/shadows/shadow_projection.h"
+#include "world/mesh/mesh_loader.h"
 #include "world/mesh/scaled_model.h"
 
 namespace synthetic_dataset::run {
@@ -87,7 +88,7 @@ class WorldBuilder {
     }
     auto distractors = diagnostics_.attempt([&] { return loadDistractors(config_, files_); });
     diagnostics_.add(base::Severity::kError, files_.refusals());
-    diagnostics_.add(base::Severity::kWarning, files_.modelNotes());
+    addNotes(files_.modelNotes());
     diagnostics_.add(base::Severity::kWarning, files_.packageNotes());
     for (const auto& file : files_.found()) setup_.inputs.insert(file.string());
     for (const auto& file : files_.included()) setup_.included.insert(file.string());
@@ -102,13 +103,21 @@ class WorldBuilder {
     if (!world) return std::move(setup_);
     setup_.world = std::move(*world);
     const world::Description& loaded = setup_.world->description();
-    diagnostics_.add(base::Severity::kWarning, loaded.notes);
+    addNotes(loaded.notes);
     diagnostics_.add(base::Severity::kWarning,
                      render::shadowNotes(loaded.lights, config_.rendering.light));
     return std::move(setup_);
   }
 
  private:
+  /// What files lack or cannot have is a warning, but for lines, which nobody would have seen.
+  void addNotes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+      const bool is_trifle = note.find(world::kLinesNote) != std::string::npos;
+      diagnostics_.add(is_trifle ? base::Severity::kNote : base::Severity::kWarning, {note});
+    }
+  }
+
   void addRoom(world::Description& description) {
     const auto& room = config_.randomization.room;
     if (!room) return;
@@ -141,6 +150,10 @@ class WorldBuilder {
                              "); it should name a model file, or the world have that model");
       return;
     }
+    if (object.stands) {
+      addStanding(object, in_world, surroundings);
+      return;
+    }
     std::vector<world::MovingModel> moving;
     for (const scene::ObjectVariant& variant : variants) {
       const auto key = std::make_pair(variant.model, object.model_arguments);
@@ -156,6 +169,28 @@ class WorldBuilder {
       if (!variant.model) return;
     }
     objects_.emplace_back(std::move(moving));
+  }
+
+  /// Its model is one of the world's: where the world has it, or standing where it is told to.
+  void addStanding(const scene::ObjectOptions& object, std::optional<world::Model> in_world,
+                   world::Description& surroundings) {
+    std::optional<world::Model> model = std::move(in_world);
+    if (object.model) {
+      const auto loaded = diagnostics_.attempt([&] { return modelOf({object.model}, object); });
+      if (!loaded) {
+        lacks_objects_ = true;
+        return;
+      }
+      model = *loaded;
+    }
+    if (object.X_GM) {
+      model->X_WM = *object.X_GM;
+      model->is_static = true;
+    }
+    setup_.standing_G.emplace(object.name, model->X_WM);
+    setup_.changes_O.back().emplace_back();
+    surroundings.models.push_back(std::move(*model));
+    objects_.push_back(world::MovingObject::ofWorld(object.name));
   }
 
   const world::Model& modelOf(const scene::ObjectVariant& variant,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -24,6 +25,9 @@ struct WorldSetup {
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
   std::vector<std::vector<scene::PointChange>> changes_O;     ///< of each object's variants
 
+  /// X_GM of objects that stand in the world at its start, by name.
+  std::map<std::string, Pose> standing_G;
+
   /// The sensors of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;
 
@@ -32,8 +36,8 @@ struct WorldSetup {
 };
 
 /// Loads the world, the objects' models and the distractors. An object's model is that of its
-/// variant, else the world's of its name, which leaves the world in any case; one that does not
-/// take part is there as nothing that could be seen or touched.
+/// variant, else the world's of its name, which leaves the world unless the object stands in it;
+/// one that does not take part is there as nothing that could be seen or touched.
 /// @param variants  of each object
 /// @param frames  which links follow frames of their own; none, which is an error already: no link
 ///     is driven

@@ -17,14 +17,23 @@ struct MovingModel {
   std::vector<std::size_t> driven_links;  ///< indices in the model's links, each once
 };
 
-/// An object: one model, or several, its variants, of which it has one at a time.
+/// An object: one model, or several, its variants, of which it has one at a time; or a model of the
+/// world's own, which stands there or is moved by physics as any other.
 struct MovingObject {
   MovingObject(Model model, std::vector<std::size_t> driven_links = {}) {
     variants.emplace_back(std::move(model), std::move(driven_links));
   }
   explicit MovingObject(std::vector<MovingModel> variants_in) : variants(std::move(variants_in)) {}
 
-  std::vector<MovingModel> variants;  ///< at least one
+  /// @param model  the name of one of the description's
+  static MovingObject ofWorld(std::string model) {
+    MovingObject object(std::vector<MovingModel>{});
+    object.of_world = std::move(model);
+    return object;
+  }
+
+  std::vector<MovingModel> variants;  ///< at least one, unless it is of the world
+  std::string of_world;               ///< the name of its model there; else empty
 };
 
 /// Where an object is.

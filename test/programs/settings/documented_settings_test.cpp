@@ -161,7 +161,7 @@ TEST(DeclaredSettings, HaveRangesAndChoices) {
   EXPECT_EQ(declared.at("camera/effects/blur").at("range"), Value(Value::List{0.0, 50.0}));
   EXPECT_EQ(declared.at("randomize/weather/dust").at("range"), Value(Value::List{0.0, 0.2}));
   EXPECT_EQ(declared.at("placement/mode").at("choices"),
-            Value(Value::List{"map", "volume", "drop"}));
+            Value(Value::List{"map", "ground", "volume", "drop"}));
   EXPECT_EQ(declared.at("placement/mode").at("default"), Value("map"));
   EXPECT_EQ(declared.at("rendering/shadow_map_size").at("default"), Value(2048));
 }

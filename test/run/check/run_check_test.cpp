@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -165,6 +166,72 @@ TEST_F(RunCheckTest, AnObjectTooFarAwayIsNamed) {
   EXPECT_THAT(odd(), Contains(HasSubstr("smaller than a pixel")));
 }
 
+TEST_F(RunCheckTest, AnObjectThatIsLookedAtAlreadyIsNotToBeLookedAt) {
+  look(vector(-150.0, 0.2, 20.0));
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("not seen | alpha: "),
+                                    HasSubstr("the camera looks at it already: a nearer position"),
+                                    HasSubstr("millimetres"), Not(HasSubstr("aims the camera")))));
+}
+
+TEST_F(RunCheckTest, APictureThatIsUpsideDownIsNamed) {
+  // Half a turn about the optical axis of the camera that looks along x.
+  camera()["pose"] = Value(Value::List{Value(-3.0), Value(0.2), Value(0.5), Value(0.5), Value(0.5),
+                                       Value(0.5), Value(0.5)});
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("upside down | camera: its picture is upside down in "
+                                              "4 of 4 scenes"),
+                                    HasSubstr("deg(180)"))));
+}
+
+TEST_F(RunCheckTest, WhatHangsInTheAirByChanceIsNamed) {
+  for (const char* name : {"bag_file", "simulated_rate"}) parameters.erase(name);
+  parameters["motion"] = Value("placement");
+  parameters["scenes"] = Value(4);
+  parameters["placement"] = Value(Value::Map{
+      {"mode", Value("volume")},
+      {"orientation", Value("upright")},
+      {"volume",
+       Value(Value::Map{{"min", vector(-1.0, -1.0, 0.5)}, {"max", vector(1.0, 1.0, 1.5)}})}});
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("hangs | alpha: hangs in the air above 'floor'"),
+                                    HasSubstr("`placement: {mode: ground}`"))));
+  parameters["placement"] = Value(Value::Map{{"mode", Value("ground")}});
+  EXPECT_THAT(odd(), Not(Contains(HasSubstr("hangs |"))));
+}
+
+TEST_F(RunCheckTest, ASplitWithoutLabelsIsNamed) {
+  record([](double t) { return poseAt(0.0, t < 0.6 ? 0.0 : 9.0, 0.0); });
+  parameters["robot_list"] = Value(Value::List{Value("alpha")});
+  parameters["simulated_rate"] = Value(20.0);
+  parameters["split"] = Value(Value::Map{{"train", Value(0.7)}, {"val", Value(0.3)}});
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("split without labels | split: val would have no "
+                                              "label at all"),
+                                    HasSubstr("`split/by: balanced_blocks`"))));
+  const RunCheck found = check();
+  EXPECT_THAT(splitLine(found.setup, found.splits),
+              AllOf(HasSubstr("train 12 box"), HasSubstr("val 0 box")));
+  (*parameters["split"].as<Value::Map>())["by"] = Value("balanced_blocks");
+  EXPECT_THAT(odd(), Not(Contains(HasSubstr("split without labels"))));
+}
+
+TEST_F(RunCheckTest, FilesOfOthersThatTheRunWouldRefuseAreNamed) {
+  std::filesystem::create_directories(folder + "/yolo");
+  std::ofstream(folder + "/yolo/0.txt") << "mine";
+  EXPECT_THAT(odd(),
+              Contains(AllOf(HasSubstr("files in the way | output_folder: "), HasSubstr("0.txt"))));
+  EXPECT_THAT(errors(), Contains(HasSubstr("0.txt")));
+}
+
+TEST_F(RunCheckTest, FilesThatMayBeMissingAreOneLineAtTheEnd) {
+  for (const char* name : {"tree", "bench"}) {
+    addToWorld("<include><uri>model://" + std::string(name) + "_of_nobody</uri></include>");
+  }
+  parameters["world"] =
+      Value(Value::Map{{"file", parameters.at("world")}, {"on_missing_asset", Value("warn")}});
+  const std::vector<std::string> lines = odd();
+  ASSERT_THAT(lines, SizeIs(1));
+  EXPECT_THAT(lines.back(), AllOf(StartsWith("missing files | world: 2 files are missing"),
+                                  HasSubstr("tree_of_nobody")));
+}
+
 TEST_F(RunCheckTest, TinyLabelsAreNamedWithTheirCure) {
   look(vector(-16.0, 0.5, 1.0));
   EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("tiny labels | labels: "),
@@ -292,6 +359,22 @@ TEST_F(RunCheckTest, WhatNeverMovesIsNamed) {
   record([](double) { return poseAt(0.0, -0.5, 0.0); });
   EXPECT_THAT(odd(), Contains(HasSubstr("never moves | alpha: its frame 'alpha/base_link' is "
                                         "recorded, and does not move in the 0.8 s of the run")));
+}
+
+TEST_F(RunCheckTest, AStaticFrameBesideOneThatMovesIsNamed) {
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  bag.fix("map", "alpha/odom", milliseconds(1000), poseAt(0.0, -0.5, 0.0));
+  bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(0.0, 1.0, 0.0));
+  for (int i = 0; i <= 20; ++i) {
+    bag.move("alpha/odom", "alpha/base_link", milliseconds(1000 + 50 * i),
+             poseAt(0.0, 0.05 * i, 0.0));
+  }
+  bag.close();
+  (*parameters.at("alpha").as<Value::Map>())["frame_id"] = Value("odom");
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("never moves | alpha: its frame 'alpha/odom' is "
+                                              "static, and does not move"),
+                                    HasSubstr("while alpha/base_link does; `frame: "
+                                              "alpha/base_link`"))));
 }
 
 TEST_F(RunCheckTest, ScenesThatAreEqualAreNamed) {
