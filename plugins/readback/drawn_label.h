@@ -27,6 +27,9 @@ struct DrawnLabel {
   std::vector<std::string> class_names;  ///< any of these, where they do not tell them apart
   std::string object_name;               ///< empty: not which object it is
   std::optional<Pose> X_CO;              ///< in the camera's optical frame [m]
+
+  /// Labels of the same number have the same colour; none: one of its own.
+  std::optional<std::size_t> colour = std::nullopt;
 };
 
 /// A scene's image with its labels, as one format's files have them.

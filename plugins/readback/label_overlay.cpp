@@ -35,7 +35,7 @@ cv::Point shifted(double u, double v) {
 }
 
 void tint(cv::Mat& image, const cv::Mat& mask, const cv::Scalar& colour) {
-  constexpr double kStrength = 0.45;
+  constexpr double kStrength = 0.25;  // what is below has to be seen, too
   cv::Mat tinted;
   cv::addWeighted(image, 1.0 - kStrength, cv::Mat(image.size(), image.type(), colour), kStrength,
                   0.0, tinted);
@@ -126,8 +126,10 @@ void checkMask(const DrawnLabel& label, const cv::Size& size) {
 cv::Mat drawLabels(const LabelledPicture& picture) {
   for (const DrawnLabel& label : picture.labels) checkMask(label, picture.image.size());
   cv::Mat result = picture.image.clone();
-  const auto colourOf = [](std::size_t i) { return kColours[i % kColours.size()]; };
   const std::vector<DrawnLabel>& labels = picture.labels;
+  const auto colourOf = [&](std::size_t i) {
+    return kColours[labels[i].colour.value_or(i) % kColours.size()];
+  };
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!labels[i].mask.empty()) tint(result, labels[i].mask, colourOf(i));
     for (const auto& polygon : labels[i].polygons) {

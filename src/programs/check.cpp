@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
     const Value settings = programs::settingsOf(line, [](const std::string& text) {
       std::cerr << "check: " << base::printable(text) << '\n';
     });
-    return programs::checkAndPrint(config::twinRuns(settings).front(), line.out.value_or("."),
-                                   std::cout)
+    return programs::checkAndPrint(config::twinRuns(settings).front(),
+                                   programs::picturesFolder(line), std::cout)
                ? 0
                : kOdd;
   });

@@ -119,7 +119,8 @@ Ended generateHere(const Value& settings, run::Reporter& reporter) {
 
 /// Findings are not a failure, but scripts may want to know.
 int check(const Value& settings, const programs::CommandLine& command_line) {
-  const bool is_fine = programs::checkAndPrint(settings, command_line.out.value_or("."), std::cout);
+  const bool is_fine =
+      programs::checkAndPrint(settings, programs::picturesFolder(command_line), std::cout);
   return is_fine ? kDone : kOdd;
 }
 

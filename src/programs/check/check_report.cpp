@@ -92,6 +92,7 @@ bool checkAndPrint(const Value& settings, const fs::path& folder, std::ostream& 
   run::WarningList warnings;
   const run::RunCheck check = run::checkRun(settings, warnings);
   for (const std::string& line : run::planLines(check.setup, check.figures)) out << line << '\n';
+  if (!check.splits.empty()) out << run::splitLine(check.setup, check.splits) << '\n';
   if (check.variety) out << run::varietyLine(*check.variety) << '\n';
   for (const std::string& note : check.setup.diagnostics.messages(base::Severity::kNote)) {
     out << "note: " << note << '\n';

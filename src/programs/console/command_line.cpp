@@ -1,6 +1,7 @@
 #include "programs/console/command_line.h"
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -102,6 +103,12 @@ CommandLine parseCheckLine(const std::vector<std::string>& arguments) {
   return line;
 }
 
+std::string picturesFolder(const CommandLine& line) {
+  if (line.out) return *line.out;
+  const std::string beside = std::filesystem::path(line.config.value_or("")).parent_path().string();
+  return beside.empty() ? "." : beside;
+}
+
 std::string usage() {
   return R"(usage: generate --config FILE [NAME:=VALUE ...] [--json | --check [--out DIR]]
        generate [ROS remappings] [--json | --check [--out DIR]]
@@ -116,7 +123,7 @@ the node's private parameters.
                shard/index, and its value in YAML ('' is an empty text)
   --check      makes no dataset: prints what the run would be and what is odd about it,
                and leaves check.png (some scenes with their labels) and map.png (the
-               world from above) in DIR, or in the current folder
+               world from above) in DIR, or beside FILE
   --json       prints lines for scripts: of a FILE how far the run is, and at the end the result
                (done, stopped or failed), what was made, the warnings and the errors
   --settings   prints every setting with its default; with --json as a JSON schema. Of a FILE: its
@@ -139,7 +146,7 @@ Looks at the run of a settings file before it is made: prints its times, scenes,
 cameras and formats, what it takes of disk, time and memory, and what is odd about it,
 each with its figure and what mends it. Makes some nine scenes, and no dataset. Leaves
 check.png (these scenes with their labels) and map.png (the world, the ways of objects
-and the cameras from above) in DIR, or in the current folder.
+and the cameras from above) in DIR, or beside FILE.
 
   NAME:=VALUE  overrides the file, as with generate
   --help       prints this

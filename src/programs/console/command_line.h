@@ -17,7 +17,7 @@ struct CommandLine {
   bool wants_check = false;        ///< to look at the run before it is made
   bool wants_settings = false;     ///< to know all settings
   bool as_json = false;            ///< these as a JSON schema, or the run's end as a line of JSON
-  std::optional<std::string> out;  ///< the folder for the pictures of that; else the current one
+  std::optional<std::string> out;  ///< the folder for the pictures of that
   /// The settings file; without one, the settings are on the ROS parameter server.
   std::optional<std::string> config;
   /// `name:=value` in order, values as YAML. Only with `config`: else they are for ROS.
@@ -30,6 +30,9 @@ struct CommandLine {
 
 /// The same of `check`, which names the file without an option.
 [[nodiscard]] CommandLine parseCheckLine(const std::vector<std::string>& arguments);
+
+/// Where the pictures of a check go: to --out, else beside the settings file.
+[[nodiscard]] std::string picturesFolder(const CommandLine& line);
 
 /// What `generate --help` prints.
 [[nodiscard]] std::string usage();

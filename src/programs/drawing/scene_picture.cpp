@@ -16,6 +16,7 @@ formats::DrawnLabel labelOf(const Scene& scene, const SceneObject& object) {
   formats::DrawnLabel label;
   label.caption = object.name + ", " + std::to_string(object.pixels.visible()) + " px, " +
                   fixed(object.distance(), 1) + " m";
+  label.colour = static_cast<std::size_t>(object.class_id);
   label.mask = object.visible_mask().whole();
   label.box = object.visible_box();
   label.lines = formats::cuboidLines(object.cuboid_O, *object.X_CO, scene.camera);

@@ -57,6 +57,12 @@ TEST(CommandLine, ChecksARunInsteadOfMakingIt) {
   EXPECT_FALSE(parseCommandLine({"--config", "my.yaml"}).wants_check);
 }
 
+TEST(CheckLine, LeavesItsPicturesBesideTheSettings) {
+  EXPECT_EQ(picturesFolder(parseCheckLine({"/data/my.yaml"})), "/data");
+  EXPECT_EQ(picturesFolder(parseCheckLine({"my.yaml"})), ".");
+  EXPECT_EQ(picturesFolder(parseCheckLine({"/data/my.yaml", "--out", "look"})), "look");
+}
+
 TEST(CheckLine, NamesTheFileWithoutAnOption) {
   const CommandLine line = parseCheckLine({"--out", "look", "my.yaml", "rate:=5"});
   EXPECT_EQ(line.config, "my.yaml");
