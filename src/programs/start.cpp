@@ -18,10 +18,9 @@
 #include "base/printable_text.h"
 #include "plugins/readback/format.h"
 #include "programs/console/command_line.h"
-#include "programs/inspect/world_report.h"
+#include "programs/start/draft_inputs.h"
 #include "programs/start/settings_draft.h"
 #include "programs/start/start_line.h"
-#include "run/pictures/model_portrait.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
 
@@ -40,26 +39,9 @@ std::string ask(const std::string& question, const std::string& fallback) {
   return answer.empty() ? fallback : answer;
 }
 
-std::string absoluteFile(const std::string& name) {
-  const bool is_uri = name.find("://") != std::string::npos;
-  if (!is_uri && !fs::exists(name)) throw Error("'" + name + "': no such file");
-  return is_uri ? name : fs::absolute(name).lexically_normal().string();
-}
-
-/// The largest side of a model; 0 where it cannot be read, which the run's check will explain.
-double sizeOf(const std::string& model) {
-  try {
-    const auto bounds = run::visibleBounds(programs::readForInspection(model));
-    return bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff();
-  } catch (const std::exception&) {
-    return 0.0;
-  }
-}
-
 void addObjects(const programs::StartLine& line, programs::DraftInputs& inputs) {
   for (const auto& [name, model] : line.models) {
-    const std::string file = absoluteFile(model);
-    inputs.objects.push_back({name, file, sizeOf(file)});
+    inputs.objects.push_back(programs::objectOf(name, model));
   }
   if (!inputs.objects.empty()) return;
   std::vector<std::string> names;
@@ -74,8 +56,7 @@ void addObjects(const programs::StartLine& line, programs::DraftInputs& inputs) 
     if (!isOnTerminal()) continue;
     const std::string model = ask("The model of " + name + " (URDF, xacro or SDF)?", "leave open");
     if (model == "leave open") continue;
-    inputs.objects.back().model = absoluteFile(model);
-    inputs.objects.back().size = sizeOf(*inputs.objects.back().model);
+    inputs.objects.back() = programs::objectOf(name, model);
   }
 }
 
@@ -107,14 +88,8 @@ void writeNew(const std::string& file, const std::string& text) {
 }
 
 int start(const programs::StartLine& line) {
-  programs::DraftInputs inputs;
-  for (const std::string& bag : line.bag_files) inputs.bag_files.push_back(absoluteFile(bag));
-  inputs.contents = motion::readContents(inputs.bag_files);
-  if (line.world) {
-    inputs.world = absoluteFile(*line.world);
-    inputs.model_folders = programs::modelFoldersAround(*inputs.world);
-  }
-  if (line.camera_info) inputs.camera_info = absoluteFile(*line.camera_info);
+  programs::DraftInputs inputs = programs::readDraftInputs(line.bag_files, line.world);
+  if (line.camera_info) inputs.camera_info = programs::absoluteFile(*line.camera_info);
   addObjects(line, inputs);
   inputs.formats = formatsOf(line);
   const programs::SettingsDraft draft = programs::draftSettings(inputs);

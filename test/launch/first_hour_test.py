@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -78,6 +79,63 @@ class FirstHour(unittest.TestCase):
         self.assertEqual(code, 0, out + err)
         self.assertRegex(out, r'done(\x1b\[0m)?\n$')
         self.assertEqual(Manifest(self.scratch / 'dataset').state, 'complete')
+
+    def labels_of(self, dataset):
+        """The names of the classes that have labels in each split of a COCO dataset."""
+        found = {}
+        for split in ('train', 'val'):
+            file = dataset / 'coco' / 'annotations' / f'instances_{split}.json'
+            content = json.loads(file.read_text(encoding='utf-8'))
+            names = {each['id']: each['name'] for each in content['categories']}
+            found[split] = {names[each['category_id']] for each in content['annotations']}
+        return found
+
+    def test_three_commands_make_a_dataset_with_labels_in_each_split(self):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        world = REPOSITORY / 'worlds' / 'example.sdf'
+        code, _, err = self.run_program('start', BAG, '--world', world, '--model',
+                                        f'rover_1={ROVER}', '-o', 'my.yaml')
+        self.assertEqual(code, 0, err)
+        code, out, err = self.run_program('check', 'my.yaml')
+        self.assertIn(code, (0, 3), out + err)
+        self.assertTrue((self.scratch / 'check.png').exists(), 'beside the settings')
+        code, out, err = self.run_program('generate', '--config', 'my.yaml')
+        self.assertEqual(code, 0, out + err)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = (after.ru_utime + after.ru_stime) - (before.ru_utime + before.ru_stime)
+        self.assertLess(seconds, 2 * 90, '90 s of two cores')
+
+        code, out, err = self.run_program('verify', 'dataset')
+        self.assertEqual(code, 0, out + err)
+        self.assertEqual(self.labels_of(self.scratch / 'dataset'),
+                         {'train': {'rover'}, 'val': {'rover'}})
+
+    def test_one_more_line_labels_what_a_riding_camera_passes(self):
+        (self.scratch / 'ride.yaml').write_text(f"""
+bag_file: "{BAG}"
+simulated_rate: 1
+world:
+  file: "{REPOSITORY / 'worlds' / 'example.sdf'}"
+  model_folders: ["{REPOSITORY / 'worlds' / 'models'}"]
+camera:
+  info_file: "{REPOSITORY / 'worlds' / 'example_camera.yaml'}"
+  mounted_on: rover_1/base_footprint
+  pose: {{position: [0.3, 0, 0.8], rpy: [0, 0, -1.57]}}  # to the right
+output_folder: "$(dirname)/ride"
+split: {{train: 0.8, val: 0.2, by: balanced_blocks}}
+writers: [{{name: coco, type: synthetic_dataset/Coco}}]
+world_objects: [{{class: barrel, models: "barrel_*"}}, {{class: crate, models: "crate_*"}}]
+""", encoding='utf-8')
+        code, out, err = self.run_program('check', 'ride.yaml')
+        self.assertIn(code, (0, 3), out + err)
+        self.assertIn('labels, as far as boxes reach into the picture: train', out)
+        code, out, err = self.run_program('generate', '--config', 'ride.yaml')
+        self.assertEqual(code, 0, out + err)
+        code, out, err = self.run_program('verify', 'ride')
+        self.assertEqual(code, 0, out + err)
+        labels = self.labels_of(self.scratch / 'ride')
+        self.assertTrue(labels['train'], 'what the rover passes')
+        self.assertLessEqual(labels['train'], {'barrel', 'crate'})
 
     def test_models_on_the_parameter_server_are_named(self):
         master = xmlrpc.client.ServerProxy(os.environ['ROS_MASTER_URI'])

@@ -8,6 +8,7 @@
 #include "programs/setup_assistant/catalogue/catalogue.h"
 #include "programs/setup_assistant/folders/file_browser.h"
 #include "programs/setup_assistant/service/request_body.h"
+#include "programs/setup_assistant/service/start_service.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -80,6 +81,11 @@ void Assistant::addDocumentRoutes() {
   get("/api/state", [this](const HttpRequest&) { return document_.state(); });
   post("/api/set", [this](const Value& body) { return document_.set(body); });
   post("/api/text", [this](const Value& body) { return document_.type(body); });
+  post("/api/start", [this](const Value& body) {
+    Value::Map typed = {{"revision", requiredOf(body, "revision")},
+                        {"text", Value(startText(body, allowed_))}};
+    return document_.type(Value(std::move(typed)));
+  });
   post("/api/undo", [this](const Value&) { return document_.undo(); });
   post("/api/redo", [this](const Value&) { return document_.redo(); });
   post("/api/outside", [this](const Value& body) { return document_.decideOutside(body); });

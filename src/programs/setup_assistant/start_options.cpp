@@ -1,10 +1,12 @@
 #include "programs/setup_assistant/start_options.h"
 
 #include <filesystem>
+#include <optional>
 
 #include "base/yaml_scalar.h"
 #include "motion/bag/bag.h"
 #include "programs/setup_assistant/document/settings_document.h"
+#include "programs/start/draft_inputs.h"
 #include "programs/start/settings_draft.h"
 #include "synthetic_dataset/errors.h"
 
@@ -20,13 +22,8 @@ std::uint16_t portOf(const std::string& text) {
 }
 
 DraftInputs inputsOf(const std::vector<std::string>& bag_files) {
-  DraftInputs inputs;
+  DraftInputs inputs = readDraftInputs(bag_files, std::nullopt);
   inputs.formats = {"coco", "ultralytics"};
-  for (const std::string& bag : bag_files) {
-    if (!fs::exists(bag)) throw Error("'" + bag + "': no such file");
-    inputs.bag_files.push_back(fs::absolute(bag).lexically_normal().string());
-  }
-  inputs.contents = motion::readContents(inputs.bag_files);
   for (const motion::RobotFrame& robot : motion::robotFrames(inputs.contents)) {
     inputs.objects.push_back({objectNameOf(robot), std::nullopt, 0.0});
   }

@@ -267,7 +267,9 @@ class DraftWriter {
   void writeFormats() {
     out_ << "# Where the dataset goes, and in which formats (docs/formats.md).\n"
             "output_folder: \"$(dirname)/dataset\"\n"
-            "# split: {train: 0.8, val: 0.2}  # stretches of the recording, to validate with\n"
+            "# Stretches of the recording to learn from and to validate with, each with all "
+            "classes.\n"
+            "split: {train: 0.8, val: 0.2, by: balanced_blocks}\n"
             "writers:\n";
     for (const auto& [name, type] : formats::formatNames()) {
       if (std::find(inputs_.formats.begin(), inputs_.formats.end(), name) ==

@@ -6,7 +6,7 @@ import {focusField, panes} from './panes.js';
 import {allProblems, count as countOf, identity, problemsBelow} from './problems.js';
 import {loadAgain} from './scene_loader.js';
 import {drawStage, redrawBitmap} from './stage.js';
-import {answerOutside, changed, redo, start, store, undo, watch} from './store.js';
+import {answerOutside, changed, isEmpty, isStale, redo, start, store, undo, watch} from './store.js';
 import {show, view} from './view_state.js';
 import {drawYaml, showSetting} from './yaml_editor.js';
 
@@ -47,18 +47,18 @@ function drawHeader() {
 }
 
 function verdictClass({error, warning}) {
-  // Said of settings that have changed since.
-  const age = store.setup?.revision < store.state?.revision ? ' old' : '';
-  if (store.state?.error || error) return `error${age}`;
-  return `${warning ? 'warning' : 'fine'}${age}`;
+  if (store.state?.error) return 'error';
+  if (isEmpty() || isStale()) return 'reading';
+  if (error) return 'error';
+  return warning ? 'warning' : 'fine';
 }
 
 function verdict({error, warning}) {
-  if (!store.setup) return 'reading\u2026';
   if (store.state?.error) return 'no YAML';
+  if (isEmpty()) return 'nothing chosen yet';
+  if (isStale()) return 'reading\u2026';
   if (error) return count(error, 'error');
-  if (warning) return count(warning, 'warning');
-  return store.setup.ready === false ? 'reading\u2026' : 'ready to run';
+  return warning ? count(warning, 'warning') : 'ready to run';
 }
 
 function drawBanners() {
@@ -113,6 +113,8 @@ function navLink(pane) {
 function drawPane() {
   const pane = panes.find((each) => each.id === view.pane) ?? panes[0];
   document.body.dataset.pane = pane.id;
+  document.body.classList.toggle('stale', isStale());
+  document.body.classList.toggle('nothing-yet', isEmpty());
   patch(document.getElementById('pane'), [
     h('div', {key: pane.id, class: 'pane'},
       h('header', {class: 'pane-head'}, h('h1', {}, pane.title), h('p', {}, pane.text)),

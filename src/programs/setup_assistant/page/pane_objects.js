@@ -5,7 +5,7 @@ import {freeName} from './paths.js';
 import {modelOf, portrait} from './portrait.js';
 import {count as countOf, problemsAt, problemsBelow} from './problems.js';
 import {candidates, frames} from './recording.js';
-import {change, effective, objectNames, own, set} from './store.js';
+import {answer, change, changed, effective, objectNames, own, set} from './store.js';
 import {show, view} from './view_state.js';
 
 export const objectsPane = {
@@ -51,13 +51,44 @@ function tabs(current) {
         key: ' add',
         type: 'button',
         class: 'tab add',
-        onclick: () => addObject({name: freeName('object', objectNames())})
+        'aria-expanded': String(adding.isOn),
+        onclick: () => {
+          adding.isOn = !adding.isOn;
+          changed();
+        }
       },
-        '+ Add'));
+        '+ Add'),
+      adding.isOn ? nameForm() : null);
 }
 
-// `frame`: the whole name of a TF frame.
-function addObject({name, frame}) {
+const adding = {
+  isOn: false
+};
+
+// Asks for a new object's name, and offers those of the recording's robots and the world's models.
+function nameForm() {
+  const models = (answer('api/world').value?.models ?? []).map((each) => each.name);
+  const offered = [...new Set([...candidates().map((each) => each.name), ...models])].filter(
+      (each) => !objectNames().includes(each));
+  return h(
+      'form', {
+        key: ' form',
+        class: 'with-button',
+        onsubmit: (event) => {
+          event.preventDefault();
+          const name = event.target.elements[0].value.trim() || freeName('object', objectNames());
+          adding.isOn = false;
+          const known = candidates().find((each) => each.name === name);
+          addObject({name, frame: known?.frame, stands: !known && models.includes(name)});
+        }
+      },
+      h('input', {type: 'text', list: 'offered-objects', placeholder: 'its name', 'aria-label': 'Name of the new object'}),
+      h('datalist', {id: 'offered-objects'}, offered.map((each) => h('option', {value: each}))),
+      h('button', {type: 'submit', class: 'primary'}, 'Add'));
+}
+
+// `frame`: the whole name of a TF frame; `stands`: where the world has its model of this name.
+function addObject({name, frame, stands}) {
   const changes = [[['robot_list'], [...objectNames(), name]]];
   const settings = {class: name.replace(/[_-]?\d+$/, ''), id: name};
   if (frame) {
@@ -66,6 +97,7 @@ function addObject({name, frame}) {
     else
       settings.frame = frame;
   }
+  if (stands) settings.pose = 'world';
   if (effective([name]) === undefined) changes.push([[name], settings]);
   change(changes);
   show({object: name});
@@ -108,6 +140,8 @@ function object(name) {
             numberField(
                 [name, 'safety_radius'],
                 {label: 'Distance that others keep', range: [0, 3], step: 0.05, fallback: known ? 'by its size' : ''}) :
+            effective([name, 'pose']) !== undefined ?
+            flowField([name, 'pose'], {label: 'Where it stands'}) :
             h('div', {class: 'pair'}, textField([name, 'frame_id'], {
                 label: `Frame, after ${name}/`,
                 suggestions: framesBelow(name),

@@ -1,7 +1,7 @@
 import {h} from './dom.js';
 import {count, duration, fixed, grouped} from './numbers.js';
 import {allProblems, count as countOf} from './problems.js';
-import {changed, effective, startRun, stopRun, store} from './store.js';
+import {changed, effective, startRun, stopRun, store, watch} from './store.js';
 
 export const runPane = {
   id: 'run',
@@ -32,6 +32,19 @@ function ask(folder) {
   changed();
 }
 
+// The log follows its end, unless the user looks further up.
+let followsEnd = true;
+
+function noteEnd(event) {
+  const log = event.target;
+  followsEnd = log.scrollTop + log.clientHeight >= log.scrollHeight - 4;
+}
+
+watch(() => requestAnimationFrame(() => {
+        const log = document.querySelector('.log');
+        if (log && followsEnd) log.scrollTop = log.scrollHeight;
+      }));
+
 function draw() {
   const {run, state} = store;
   return [
@@ -41,7 +54,8 @@ function draw() {
       h('p', {class: 'facts'}, progress(run))),
     h('ul', {class: 'problems all'}, (run.errors ?? []).map((each) => h('li', {class: 'error'}, String(each)))),
     h('section', {class: 'group'}, h('h2', {}, 'Log'),
-      h('pre', {class: 'log', tabindex: '0', 'aria-label': 'Log'}, (run.log ?? []).join('\n') || ' ')),
+      h('pre', {class: 'log', tabindex: '0', 'aria-label': 'Log', onscroll: noteEnd},
+        (run.log ?? []).join('\n') || ' ')),
     h('section', {class: 'group'}, h('h2', {}, 'The same by hand'),
       h('pre', {class: 'command'}, `rosrun synthetic_dataset generate --config ${state.file}`)),
   ];

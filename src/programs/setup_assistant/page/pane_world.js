@@ -2,13 +2,13 @@ import {h} from './dom.js';
 import {choiceField, fileField, fileListField, more, numberField, section} from './fields.js';
 import {map} from './figure_map.js';
 import {count, fileName, fixed, grouped} from './numbers.js';
-import {answer, effective, set} from './store.js';
+import {answer, effective, objectNames, set} from './store.js';
 
 export const worldPane = {
   id: 'world',
   title: 'World',
   text: 'The surroundings of the objects: an SDF world, as Gazebo uses it.',
-  paths: () => [['world'], ['world_file'], ['physics'], ['rendering']],
+  paths: () => [['world'], ['world_file'], ['world_objects'], ['physics'], ['rendering']],
   summary: () => fileName(
       effective(['world_file']) ?? effective(['world', 'file']) ??
       (typeof effective(['world']) === 'string' ? effective(['world']) : '')),
@@ -72,7 +72,8 @@ function contents() {
           h('thead', {},
             h('tr', {},
               ['model', 'links', 'triangles', 'x', 'y', 'z'].map(
-                  (each, index) => h('th', {scope: 'col', class: index ? 'figure' : ''}, each)))),
+                  (each, index) => h('th', {scope: 'col', class: index ? 'figure' : ''}, each)),
+              h('th', {scope: 'col'}, 'label'))),
           h('tbody', {},
             world.models.map(
                 (each) =>
@@ -81,7 +82,53 @@ function contents() {
                         each.static === false ? h('span', {class: 'muted'}, ' moves') : null),
                       h('td', {class: 'figure'}, each.links),
                       h('td', {class: 'figure'}, each.triangles === undefined ? '' : grouped(each.triangles)),
-                      [0, 1, 2].map((axis) => h('td', {class: 'figure'}, fixed(each.X?.[axis])))))))));
+                      [0, 1, 2].map((axis) => h('td', {class: 'figure'}, fixed(each.X?.[axis]))),
+                      h('td', {}, labelOf(each.name))))))));
+}
+
+// What the model is labelled as, or how to label it: an entry of world_objects.
+function labelOf(model) {
+  if (objectNames().includes(model)) return h('span', {class: 'muted'}, 'an object');
+  const entry = entries().find((each) => isMeant(model, each));
+  if (!entry) {
+    return h('button', {type: 'button', onclick: () => label(model), 'aria-label': `Label ${model}`}, 'Label this');
+  }
+  const isNamed = [].concat(entry.models).includes(model);
+  return [
+    String(entry.class ?? '?'),
+    isNamed ? h('button', {type: 'button', class: 'quiet', 'aria-label': `Do not label ${model}`, onclick: () => unlabel(model)},
+                '\u00d7') :
+              null,
+  ];
+}
+
+function entries() {
+  const list = effective(['world_objects']);
+  return Array.isArray(list) ? list : [];
+}
+
+// `*` and `?` stand for any text and any character.
+function isMeant(model, entry) {
+  return [].concat(entry?.models ?? []).some((pattern) => {
+    const escaped = String(pattern).replace(/[.+^${}()|[\]\\]/g, '\\$&').replace(/\*/g, '.*').replace(/\?/g, '.');
+    return new RegExp(`^${escaped}$`).test(model);
+  });
+}
+
+function label(model) {
+  const name = model.replace(/[_-]?\d+$/, '') || model;
+  const all = entries();
+  const index = all.findIndex((each) => each?.class === name);
+  set(['world_objects'],
+      index < 0 ? [...all, {class: name, models: [model]}] :
+                  all.map((each, at) => (at === index ? {...each, models: [].concat(each.models, model)} : each)));
+}
+
+function unlabel(model) {
+  const left = entries()
+                   .map((each) => ({...each, models: [].concat(each.models).filter((name) => name !== model)}))
+                   .filter((each) => each.models.length);
+  set(['world_objects'], left.length ? left : undefined);
 }
 
 function lights(all) {

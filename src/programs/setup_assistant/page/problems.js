@@ -1,11 +1,11 @@
 // Where a problem of the settings is shown.
 import {keyOf, startsWith} from './paths.js';
-import {store} from './store.js';
+import {isEmpty, store} from './store.js';
 
 export const SEVERITIES = ['error', 'warning', 'note'];
 
 export function allProblems() {
-  const problems = [...(store.setup?.problems ?? [])];
+  const problems = isEmpty() ? [] : [...(store.setup?.problems ?? [])];
   return problems.sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity));
 }
 

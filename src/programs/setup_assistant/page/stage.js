@@ -5,7 +5,7 @@ import {count, fixed} from './numbers.js';
 import {overlay} from './overlay.js';
 import {allProblems, count as countOf} from './problems.js';
 import {scene} from './scene_loader.js';
-import {store} from './store.js';
+import {isEmpty, store} from './store.js';
 import {cameraNames, currentCamera, currentInstant, instantCount, secondsOf, show, view} from './view_state.js';
 
 const LABELS =
@@ -22,7 +22,7 @@ function picture() {
   const message = whyNoPicture();
   return h(
       'div', {
-        class: hint ? 'picture draggable' : 'picture',
+        class: `picture${hint ? ' draggable' : ''}${isOld(value) ? ' old' : ''}`,
         ...(hint ? cameraDrag : noDrag()),
         tabindex: hint ? '0' : null,
         role: hint ? 'application' : null,
@@ -37,10 +37,13 @@ function picture() {
         class: message ? 'dimmed' : ''
       }),
       value ? overlay(value, view.shown) : null, h('div', {class: 'loading', hidden: !scene.isLoading}),
-      h('span', {class: 'latency', title: 'How long the server took for this picture'},
-        value?.milliseconds ? `${Math.round(value.milliseconds)} ms` : ''),
       message ? h('p', {class: 'message', role: 'status'}, message) : null,
       hint ? h('p', {class: 'drag-hint', 'aria-hidden': 'true'}, hint) : null);
+}
+
+// Of settings that have changed since.
+function isOld(value) {
+  return Boolean(value) && value.revision < store.state?.revision;
 }
 
 function noDrag() {
@@ -73,6 +76,7 @@ function altText(value) {
 }
 
 function whyNoPicture() {
+  if (isEmpty()) return 'The picture of the dataset appears here.';
   if (store.state?.error) return 'The settings file is no YAML at the moment; this is the picture from before.';
   const {error} = countOf(allProblems());
   if (error) return `${count(error, 'error')} in the settings: no picture can be made until they are mended.`;

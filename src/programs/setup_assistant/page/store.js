@@ -62,6 +62,24 @@ function takeState(state) {
   changed();
 }
 
+export function takeStateOf(state) {
+  takeState(state);
+}
+
+// Whether nothing has been chosen yet: what is missing then is no error of anybody's.
+export function isEmpty() {
+  const {state} = store;
+  return Boolean(state) && !state.error && !Object.keys(state.settings ?? {}).length && !state.effective?.include &&
+      !Object.keys(state.effective ?? {}).length;
+}
+
+// Whether what the server has said is of other settings than those that are shown, or not all of it yet.
+export function isStale() {
+  const {setup, state} = store;
+  if (!setup || setup.revision < state?.revision) return true;
+  return setup.ready === false && !(setup.problems ?? []).some((each) => each.severity === 'error');
+}
+
 function takeSetup(setup) {
   store.setup = setup;
   forgetAnswers();
