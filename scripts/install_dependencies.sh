@@ -48,6 +48,7 @@ install_missing \
   libstd-srvs-dev libvisualization-msgs-dev \
   libxmlrpcpp-dev pluginlib-dev rosbash \
   librospack-dev python3-roslaunch python3-rosbag python3-rostest librostest-dev rospack-tools \
+  python3-rosservice python3-rostopic \
   python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-srvs python3-tf2-msgs \
   python3-visualization-msgs \
   python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg \

@@ -15,6 +15,7 @@ from example_dataset import DatasetCase, REPOSITORY, SCENES, run
 from synthetic_dataset import Dataset
 from synthetic_dataset.report.brightness import Brightness, detail
 from synthetic_dataset.report.choice import choose
+from synthetic_dataset.report.findings import cure_of_neighbours
 from synthetic_dataset.report.measures import Measures
 from synthetic_dataset.report.neighbours import Neighbours
 from synthetic_dataset.report.page import page_of
@@ -295,6 +296,14 @@ class NearEqualScenes(unittest.TestCase):
     def test_are_not_those_whose_camera_has_moved(self):
         self.assertEqual(self.neighbours([10.0, 10.0], ['train', 'val'], [0.0, 0.03]).pairs, [])
         self.assertEqual(len(self.neighbours([10.0, 10.0], ['train', 'val'], [0.0, 0.01]).pairs), 1)
+
+    def test_are_mended_by_a_setting_that_is_not_as_it_should_be(self):
+        self.assertIn('Leave `split/by: scenes` out', cure_of_neighbours({'split/by': 'scenes'}))
+        for settings in ({}, {'split/by': 'blocks', 'split/gap': 0.0}):
+            cure = cure_of_neighbours(settings)
+            self.assertIn('`split/gap: 2.0`', cure)
+            self.assertNotIn('split/by', cure)
+        self.assertIn('more than 3 s', cure_of_neighbours({'split/gap': 3}))
 
     def test_are_found_among_many(self):
         random = np.random.RandomState(1)

@@ -24,7 +24,7 @@ def findings(dataset, measures, splits, counts, brightness, neighbours, variety)
         add(True, f'The run has not come to its end: {len(dataset):,} of '
             f'{int(dataset.manifest.run["scene_count"]):,} scenes are there.',
             'The same command again continues it.')
-    _add_classes(add, measures, splits, counts)
+    _add_classes(add, dataset.settings.get('split/by', 'blocks'), measures, splits, counts)
     _add_labels(add, measures)
     _add_pictures(add, brightness)
     if variety.is_plain and measures.count:
@@ -35,12 +35,22 @@ def findings(dataset, measures, splits, counts, brightness, neighbours, variety)
     if near:
         text = ', '.join(f'{count:,} of {split}' for split, count in near.items())
         add(True, f'Scenes that hardly differ from one of another split: {text}.',
-            'Leave `split/by: scenes` out, so that splits are stretches of time, lower '
-            '`simulated_rate`, or give a split a motion of its own.')
+            cure_of_neighbours(dataset.settings))
     return found
 
 
-def _add_classes(add, measures, splits, counts):
+def cure_of_neighbours(settings):
+    """Names no setting as wrong that is not set."""
+    others = 'lower `simulated_rate`, or give a split a motion of its own.'
+    if settings.get('split/by') == 'scenes':
+        return f'Leave `split/by: scenes` out, so that splits are stretches of time, {others}'
+    gap = settings.get('split/gap') or 0.0
+    if gap > 0.0:
+        return f'A `split/gap` of more than {gap:g} s keeps them further apart; or {others}'
+    return f'`split/gap: 2.0` leaves out 2 s between the splits of a recording; or {others}'
+
+
+def _add_classes(add, split_by, measures, splits, counts):
     of_class = counts.sum(axis=1)
     for row, name in enumerate(measures.class_names):
         if of_class[row] == 0:
@@ -53,7 +63,9 @@ def _add_classes(add, measures, splits, counts):
         missing = [split for column, split in enumerate(splits) if counts[row, column] == 0]
         if missing:
             add(True, f"The class '{name}' has no label in " + ' and '.join(missing) + '.',
-                '`split/by: scenes` draws the scenes of all splits from the whole run.')
+                'Other shares, or a part of the recording in which it is seen more often, would help.'
+                if split_by == 'balanced_blocks' else
+                '`split/by: balanced_blocks` gives each split each class, where that can be.')
 
 
 def _add_labels(add, measures):
