@@ -14,7 +14,7 @@ source "$here/systems.sh"
 
 packages=(
   g++-9 gcc-9 cpp-9 gcc-9-base libstdc++-9-dev libgcc-9-dev
-  libeigen3-dev libgtest-dev libgmock-dev nlohmann-json3-dev libmicrohttpd-dev libegl-dev libyaml-cpp-dev libassimp-dev libbullet-dev
+  libeigen3-dev libgtest-dev libgmock-dev nlohmann-json3-dev libmicrohttpd-dev libegl-dev libembree-dev libyaml-cpp-dev libassimp-dev libbullet-dev
   libopencv-{core,imgproc,imgcodecs,video,calib3d,features2d,flann,dnn,contrib}-dev
 )
 # What Ubuntu 20.04 lacks and these do not: JSON 3.9's, gMock 1.11's, and what OpenCV 4.10 renamed.

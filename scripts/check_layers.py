@@ -26,11 +26,12 @@ MAY_INCLUDE = {
     'src/randomize': {API, 'randomize', 'base', 'motion', 'world'},
     'src/render': {API, 'render', 'base', 'world'},
     'src/label': {API, 'label', 'base', 'world', 'render'},
+    'src/lidar': {API, 'lidar', 'base', 'motion', 'world', 'render'},
     'src/output': {API, 'output', 'base', 'plugins'},  # of plugins, what verify reads
     'src/scene': {API, 'scene', 'base', 'motion', 'world', 'randomize', 'render', 'label'},
     'src/config': {API, 'config', 'base'},  # and the options of all rooms
     # of plugins, masks as polygons and colours of numbers
-    'src/run': {API, 'run', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'scene',
+    'src/run': {API, 'run', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'lidar', 'scene',
                 'output', 'config', 'plugins'},
     'src/programs': {API, 'programs', 'base', 'motion', 'world', 'randomize', 'render', 'output',
                      'config', 'run', 'plugins'},
@@ -52,6 +53,7 @@ CONFINED = [
     ('OpenGL', re.compile(r'GL/'), {'src/render'}),
     ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
      {'src/world'}),
+    ('Embree', re.compile(r'embree[34]/'), {'src/lidar'}),
     ('urdfdom', re.compile(r'urdf_(model|parser|world)/'), {'src/world'}),
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/base'}),

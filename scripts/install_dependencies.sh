@@ -23,8 +23,8 @@ install_missing() {
 }
 
 if [ -d /opt/ros/noetic ]; then
-  # rosdep has no keys for the last two, which are optional.
-  install_missing build-essential cmake pkg-config python3-rosdep libdeflate-dev libisal-dev "$@"
+  # rosdep has no keys for the last three, which are optional.
+  install_missing build-essential cmake pkg-config python3-rosdep libdeflate-dev libisal-dev libembree-dev "$@"
   repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
   # shellcheck disable=SC1091
   (set +u && source /opt/ros/noetic/setup.bash && rosdep check --from-paths "$repository" --ignore-src) \
@@ -39,6 +39,9 @@ fi
 # Mesa has had no OSMesa since 25.1; EGL draws the same.
 gl=libosmesa6-dev
 [ -n "$(apt-cache show "$gl" 2>/dev/null)" ] || gl='libegl-dev libgl1-mesa-dri'
+
+# Without it lidars are left out, as on processors for which there is none.
+[ -z "$(apt-cache show libembree-dev 2>/dev/null)" ] || gl="$gl libembree-dev"
 
 # shellcheck disable=SC2086
 install_missing \

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lidar/lidar_options.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::lidar {
+
+/// When a scanner sends its rays, and where to: a sweep of columns, in each one ray a ring. The
+/// middle of the sweep is at the scene's stamp.
+class FiringPlan {
+ public:
+  /// @param model  with at least one ring and one column
+  explicit FiringPlan(const LidarModel& model);
+
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rings() const { return static_cast<int>(elevations_.size()); }
+
+  /// How long the sweep takes.
+  [[nodiscard]] Duration length() const { return length_; }
+
+  /// When a column begins, from the stamp on. There is one more than columns: the sweep's end.
+  [[nodiscard]] Duration columnTime(int column) const;
+
+  /// When a ring fires, as a share of the time from its column to the next one, 0 .. 1.
+  [[nodiscard]] double share(int ring) const { return shares_[static_cast<std::size_t>(ring)]; }
+
+  /// Whether all rings fire when their column begins.
+  [[nodiscard]] bool firesAtOnce() const { return fires_at_once_; }
+
+  /// Where a ray goes, in the scanner's frame as it stands then; length 1. The scanner turns on
+  /// while a column's rings fire.
+  [[nodiscard]] Eigen::Vector3d direction(int column, int ring) const;
+
+ private:
+  int columns_;
+  Duration length_;
+  double first_azimuth_;
+  double azimuth_step_;
+  double steps_;  ///< columns from the sweep's begin to its end
+  std::vector<double> elevations_;
+  std::vector<double> azimuth_offsets_;
+  std::vector<double> shares_;
+  bool fires_at_once_ = true;
+};
+
+}  // namespace synthetic_dataset::lidar

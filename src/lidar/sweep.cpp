@@ -1,0 +1,267 @@
+#include "lidar/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "base/random/random_seed.h"
+#include "lidar/surface_look.h"
+
+namespace synthetic_dataset::lidar {
+namespace {
+
+/// How far something may move while a column fires, for which it need not be looked at closely [m].
+constexpr double kColumnReach = 0.05;
+
+/// The cone in which the rays of one column lie, and those of all others, turned about z.
+struct Fan {
+  explicit Fan(const FiringPlan& plan) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int ring = 0; ring < plan.rings(); ++ring) sum += plan.direction(0, ring);
+    is_narrow = sum.norm() > 1e-3;
+    if (!is_narrow) return;
+    axis_S = sum.normalized();
+    double least = 1.0;
+    for (int ring = 0; ring < plan.rings(); ++ring) {
+      least = std::min(least, axis_S.dot(plan.direction(0, ring)));
+    }
+    constexpr double kRounding = 1e-3;  // [rad]
+    half_angle = std::acos(std::clamp(least, -1.0, 1.0)) + kRounding;
+  }
+
+  Eigen::Vector3d axis_S{1, 0, 0};  ///< of column 0
+  double half_angle = 0.0;
+  bool is_narrow = false;  ///< else rays go everywhere
+};
+
+/// One ray on its way.
+struct Ray {
+  Eigen::Vector3d origin_W;
+  Eigen::Vector3d direction_W;
+};
+
+/// What it has met.
+struct Met {
+  RayHit hit;
+  Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< of the body
+};
+
+class Sweeper {
+ public:
+  Sweeper(const ScannedWorld& world, const LidarModel& model, const FiringPlan& plan,
+          const SweepMotion& motion, const std::vector<LinkLabel>& labels, const Paint& paint,
+          std::uint64_t seed)
+      : world_(world),
+        model_(model),
+        plan_(plan),
+        motion_(motion),
+        labels_(labels),
+        paint_(paint),
+        seed_(seed),
+        fan_(plan),
+        X_SG_at_stamp_(motion.X_GS_at_stamp.inverse()) {}
+
+  /// The points of columns from `begin` on, before `end`.
+  [[nodiscard]] std::vector<CloudPoint> scan(int begin, int end) const {
+    std::vector<CloudPoint> points;
+    for (int column = begin; column < end; ++column) {
+      const std::vector<std::size_t> near = bodiesNear(column);
+      for (int ring = 0; ring < plan_.rings(); ++ring) {
+        if (auto point = cast(column, ring, near)) points.push_back(*point);
+      }
+    }
+    return points;
+  }
+
+ private:
+  [[nodiscard]] Placement scannerAt(int column, double share) const {
+    const auto at = static_cast<std::size_t>(column);
+    return between(motion_.X_GS[at], motion_.X_GS[at + 1], share);
+  }
+
+  [[nodiscard]] double timeOf(int column, double share) const {
+    const auto begin = static_cast<double>(plan_.columnTime(column).count());
+    const auto end = static_cast<double>(plan_.columnTime(column + 1).count());
+    return begin + share * (end - begin);
+  }
+
+  /// Where a moving body is. @param time  from the stamp [ns]
+  [[nodiscard]] Placement bodyAt(std::size_t moving, double time) const {
+    const std::vector<WorldMoment>& moments = motion_.moments;
+    const auto after =
+        std::upper_bound(moments.begin(), moments.end(), time, [](double t, const auto& moment) {
+          return t < static_cast<double>(moment.offset.count());
+        });
+    if (after == moments.begin()) return moments.front().X_WL[moving];
+    if (after == moments.end()) return moments.back().X_WL[moving];
+    const auto before = std::prev(after);
+    const auto from = static_cast<double>(before->offset.count());
+    const auto to = static_cast<double>(after->offset.count());
+    return between(before->X_WL[moving], after->X_WL[moving], (time - from) / (to - from));
+  }
+
+  /// The moving bodies that rays of a column may meet.
+  [[nodiscard]] std::vector<std::size_t> bodiesNear(int column) const {
+    const Placement X_GS = scannerAt(column, 0.0);
+    const double azimuth_0 = std::atan2(plan_.direction(0, 0).y(), plan_.direction(0, 0).x());
+    const Eigen::Vector3d here = plan_.direction(column, 0);
+    const double turned = std::atan2(here.y(), here.x()) - azimuth_0;
+    const Eigen::Vector3d axis_W =
+        X_GS.turn * (Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitZ()) * fan_.axis_S);
+    const double time = timeOf(column, 0.0);
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < world_.moving().size(); ++i) {
+      const MovingBody& body = world_.moving()[i];
+      if (!motion_.present[body.link]) continue;
+      const Placement X_WL = bodyAt(i, time);
+      const Eigen::Vector3d to_body = X_WL.position + X_WL.turn * body.centre_L - X_GS.position;
+      const double radius = body.radius + kColumnReach;
+      const double distance = to_body.norm();
+      if (distance - radius > model_.max_range) continue;
+      if (fan_.is_narrow && distance > radius) {
+        const double cosine = std::clamp(to_body.dot(axis_W) / distance, -1.0, 1.0);
+        if (std::acos(cosine) > fan_.half_angle + std::asin(radius / distance)) continue;
+      }
+      near.push_back(i);
+    }
+    return near;
+  }
+
+  [[nodiscard]] std::optional<Met> meet(const Ray& ray, double time,
+                                        const std::vector<std::size_t>& near) const {
+    std::optional<Met> met;
+    double far = model_.max_range;
+    if (world_.standing()) {
+      const auto hit =
+          world_.bodies().meet(*world_.standing(), ray.origin_W - world_.standingOrigin(),
+                               ray.direction_W, model_.min_range, far, paint_);
+      if (hit) met = Met{*hit};
+      if (hit) far = hit->distance;
+    }
+    for (const std::size_t i : near) {
+      const MovingBody& body = world_.moving()[i];
+      const Placement X_WL = bodyAt(i, time);
+      const Eigen::Vector3d from = ray.origin_W - X_WL.position;
+      const Eigen::Vector3d to_centre = X_WL.turn * body.centre_L - from;
+      const double along = to_centre.dot(ray.direction_W);
+      const double off_squared = to_centre.squaredNorm() - along * along;
+      if (off_squared > body.radius * body.radius) continue;
+      const auto back = X_WL.turn.conjugate();
+      const auto hit = world_.bodies().meet(body.body, back * from, back * ray.direction_W,
+                                            model_.min_range, far, paint_);
+      if (!hit || hit->distance >= far) continue;
+      met = Met{*hit, X_WL.turn.toRotationMatrix()};
+      far = hit->distance;
+    }
+    return met;
+  }
+
+  [[nodiscard]] std::optional<CloudPoint> cast(int column, int ring,
+                                               const std::vector<std::size_t>& near) const {
+    const double share = plan_.share(ring);
+    const double time = timeOf(column, share);
+    const Placement X_GS = scannerAt(column, share);
+    const Eigen::Vector3d direction_S = plan_.direction(column, ring);
+    const Ray ray{X_GS.position, X_GS.turn * direction_S};
+    const auto met = meet(ray, time, near);
+    if (!met || met->hit.distance > model_.max_range || met->hit.distance < model_.min_range) {
+      return std::nullopt;
+    }
+    const RaySurface& surface = world_.bodies().surfaces()[met->hit.surface];
+    const SurfacePlace place{met->hit.triangle, met->hit.b1, met->hit.b2};
+    const Eigen::Matrix3d R_WV = met->R_WB * surface.X_BV.linear();
+    const Eigen::Vector3d normal_W =
+        R_WV * normalAt(*surface.mesh, place, R_WV.transpose() * ray.direction_W);
+    const double cosine = std::clamp(-normal_W.dot(ray.direction_W), 0.0, 1.0);
+    const double intensity =
+        intensityAt(*surface.mesh, *paint_[met->hit.surface], place, world_.simulator(), cosine);
+    const auto number =
+        static_cast<std::uint64_t>(column) * static_cast<std::uint64_t>(plan_.rings()) +
+        static_cast<std::uint64_t>(ring);
+    if (isLost(number, met->hit.distance, intensity)) return std::nullopt;
+    const Eigen::Vector3d position_S = measured(number, met->hit.distance) * direction_S;
+
+    CloudPoint point;
+    point.position_S = position_S.cast<float>();
+    point.position_at_stamp_S = (X_SG_at_stamp_ * (X_GS.pose() * position_S)).cast<float>();
+    point.normal_S = (X_GS.turn.conjugate() * normal_W).cast<float>();
+    point.intensity = static_cast<float>(intensity);
+    point.time = static_cast<std::int32_t>(std::llround(time));
+    point.column = static_cast<std::uint16_t>(column);
+    point.ring = static_cast<std::uint16_t>(ring);
+    const LinkLabel& label = labels_[surface.link];
+    point.instance = label.instance;
+    point.class_number = label.class_number;
+    point.world_class = label.world_class;
+    point.part = label.part;
+    return point;
+  }
+
+  /// Whether too little of a ray comes back to be noticed. At `reach_at_tenth`, nine in ten of a
+  /// surface of a tenth's reflectivity are noticed, half of them where two thirds as much light
+  /// comes back, as Ouster's data sheets have it.
+  [[nodiscard]] bool isLost(std::uint64_t number, double range, double intensity) const {
+    double probability = 1.0 - model_.dropout;
+    if (model_.reach_at_tenth) {
+      const double of_reach = range / *model_.reach_at_tenth;
+      const double signal = intensity / (0.1 * of_reach * of_reach);
+      probability *= std::clamp(0.9 + 1.2 * (signal - 1.0), 0.0, 1.0);
+    }
+    if (probability >= 1.0) return false;
+    const std::uint64_t bits = base::mixedBits(seed_ + (number + 1) * base::kCounterStep);
+    constexpr double kUnit = 1.0 / 9007199254740992.0;  // 2^-53
+    return static_cast<double>(bits >> 11U) * kUnit >= probability;
+  }
+
+  [[nodiscard]] double measured(std::uint64_t number, double range) const {
+    double result = range;
+    if (model_.noise > 0.0) {
+      result += model_.noise * base::randomNormals(seed_, number).first;
+    }
+    if (model_.resolution > 0.0) {
+      result = std::round(result / model_.resolution) * model_.resolution;
+    }
+    return std::max(result, 0.0);
+  }
+
+  const ScannedWorld& world_;
+  const LidarModel& model_;
+  const FiringPlan& plan_;
+  const SweepMotion& motion_;
+  const std::vector<LinkLabel>& labels_;
+  const Paint& paint_;
+  std::uint64_t seed_;
+  Fan fan_;
+  Pose X_SG_at_stamp_;
+};
+
+}  // namespace
+
+Cloud sweep(const ScannedWorld& world, const LidarModel& model, const FiringPlan& plan,
+            const SweepMotion& motion, const std::vector<LinkLabel>& labels, const Paint& paint,
+            std::uint64_t seed) {
+  const Sweeper sweeper(world, model, plan, motion, labels, paint, seed);
+  const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 64);
+  const int band = (plan.columns() + threads - 1) / threads;
+  std::vector<std::future<std::vector<CloudPoint>>> bands;
+  for (int begin = 0; begin < plan.columns(); begin += band) {
+    const int end = std::min(begin + band, plan.columns());
+    // Deferred where no more threads are to be had.
+    bands.push_back(std::async(std::launch::async | std::launch::deferred,
+                               [&sweeper, begin, end] { return sweeper.scan(begin, end); }));
+  }
+  Cloud cloud;
+  cloud.X_GS = motion.X_GS_at_stamp;
+  cloud.columns = plan.columns();
+  cloud.rings = plan.rings();
+  for (auto& each : bands) {
+    const std::vector<CloudPoint> points = each.get();
+    cloud.points.insert(cloud.points.end(), points.begin(), points.end());
+  }
+  return cloud;
+}
+
+}  // namespace synthetic_dataset::lidar

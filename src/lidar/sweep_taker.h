@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "lidar/firing_plan.h"
+#include "lidar/lidar_rig.h"
+#include "lidar/scanned_world.h"
+#include "lidar/sweep.h"
+#include "motion/frame_source.h"
+#include "synthetic_dataset/cloud.h"
+#include "world/world.h"
+
+namespace synthetic_dataset::lidar {
+
+/// Makes the clouds of an instant, in any one thread at a time; when it is called again, the same
+/// ones.
+using PendingClouds = std::function<Clouds()>;
+
+/// Takes the sweeps of all lidars around an instant.
+///
+/// For each instant: move the world to each of `offsets` from the instant and `look`, then `take`.
+/// What moves is interpolated between these times; a scanner is where its frame is, column by
+/// column.
+class SweepTaker {
+ public:
+  /// @param world  before anything has moved; has to outlive this, as the other references
+  /// @param labels  of the world's links
+  SweepTaker(const world::World& world, const motion::FrameSource& frames,
+             const std::vector<LidarRig>& lidars, std::vector<LinkLabel> labels,
+             render::GlassInLabels glass, std::int64_t seed);
+
+  /// The times around an instant at which it looks, ascending; 0 is among them. Nothing but 0 where
+  /// nothing can move.
+  [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
+
+  /// Keeps in mind where everything is in the world as it stands at `offset` from the instant.
+  void look(Duration offset);
+
+  /// What the scanners measure while the world moves as it was seen.
+  /// @param materials  that surfaces have at the time (world::Look::materials)
+  [[nodiscard]] PendingClouds take(
+      std::int64_t instant, Stamp stamp,
+      const std::map<const world::Material*, world::Material>& materials);
+
+ private:
+  [[nodiscard]] std::vector<Placement> columnPoses(std::size_t lidar, Stamp stamp) const;
+
+  const world::World& world_;
+  const motion::FrameSource& frames_;
+  const std::vector<LidarRig>& lidars_;
+  std::vector<FiringPlan> plans_;  ///< of lidars_
+  std::shared_ptr<const ScannedWorld> scanned_;
+  std::shared_ptr<const std::vector<LinkLabel>> labels_;
+  std::size_t object_count_ = 0;
+  std::uint64_t seed_;
+  std::vector<Duration> offsets_;
+  std::vector<WorldMoment> moments_;  ///< of the instant, so far
+};
+
+}  // namespace synthetic_dataset::lidar
