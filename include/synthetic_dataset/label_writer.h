@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -94,6 +95,12 @@ struct CameraDescription {
   bool intrinsics_vary = false;
 };
 
+/// What is known of a lidar before the first scene.
+struct LidarDescription {
+  std::string name;
+  std::string frame;  ///< its own: x ahead, y left, z up; Scene::transform knows it
+};
+
 /// Scenes of one recording, or placed by one rule, in one world. No scene has to do with those of
 /// another motion, and the times of one have nothing to do with those of another.
 struct MotionInfo {
@@ -122,6 +129,7 @@ struct DatasetInfo {
   std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
   std::vector<MotionInfo> motions;         ///< at least one, in the order of their scenes
   std::vector<CreditInfo> credits;         ///< each author and licence once
+  std::vector<LidarDescription> lidars;    ///< in alphabetical order; there may be none
 
   /// The surface of an object, with its links as its model file places them. Made anew at each
   /// call.
@@ -142,6 +150,14 @@ struct DatasetInfo {
 
   /// The folder of a camera's files, with a `/` at its end; "" where there is one camera alone.
   [[nodiscard]] std::string cameraFolder(std::size_t camera) const;
+
+  /// The index in `lidars` of the lidar that a writer's parameter names. Another name is noted as
+  /// an error of the parameter; nothing then.
+  /// @param name  in `parameters`
+  /// @param lidar  what it says
+  [[nodiscard]] std::optional<std::size_t> lidarIndex(Parameters& parameters,
+                                                      const std::string& name,
+                                                      const std::string& lidar) const;
 
   /// For formats that hold one calibration of each camera for all of its images.
   /// @param file  in which it stands, for the message
@@ -175,6 +191,7 @@ struct Requirements {
   bool depth = false;               ///< Scene::depth
   bool normals = false;             ///< Scene::normals
   bool optical_flow = false;        ///< Scene::optical_flow
+  bool clouds = false;              ///< Scene::clouds
   std::vector<std::string> frames;  ///< TF frames that Scene::transform must know at every scene
 };
 

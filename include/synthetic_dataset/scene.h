@@ -11,6 +11,7 @@
 
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/camera_model.h"
+#include "synthetic_dataset/cloud.h"
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/mask.h"
 #include "synthetic_dataset/pose.h"
@@ -188,6 +189,10 @@ struct Scene {
   /// (u, v). NaN where nothing is, where it leaves what the camera can project, and all over the
   /// last scene.
   Required<cv::Mat> optical_flow{"Scene::optical_flow", "optical_flow"};
+
+  /// What the lidars measure in their sweeps around the scene's stamp: one a lidar, the same in the
+  /// scenes of all cameras.
+  Required<Clouds> clouds{"Scene::clouds", "clouds"};
 
   /// The pose of frame `source` in frame `target` at the scene's time.
   /// Frames are those of TF; the camera's optical frame is known by `camera_frame_id`.

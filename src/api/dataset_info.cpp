@@ -3,6 +3,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
+#include "synthetic_dataset/nearest_name.h"
 
 namespace synthetic_dataset {
 inline namespace v2 {
@@ -35,6 +36,21 @@ std::vector<std::string> DatasetInfo::classNamesWithoutGaps() const {
     names.push_back(each.name);
   }
   return names;
+}
+
+std::optional<std::size_t> DatasetInfo::lidarIndex(Parameters& parameters, const std::string& name,
+                                                   const std::string& lidar) const {
+  std::vector<std::string> names;
+  std::string listed;
+  for (std::size_t i = 0; i < lidars.size(); ++i) {
+    if (lidars[i].name == lidar) return i;
+    names.push_back(lidars[i].name);
+    listed += (listed.empty() ? "" : ", ") + lidars[i].name;
+  }
+  const std::string there = names.empty() ? "of which there is none" : listed;
+  parameters.addError(name, "found '" + lidar + "'; it should be one of the run's lidars (" +
+                                there + ")" + didYouMean(lidar, names));
+  return std::nullopt;
 }
 
 std::string DatasetInfo::cameraFolder(std::size_t camera) const {

@@ -186,15 +186,14 @@ void checkIntrinsicsNamed(const scene::CameraOptions& camera, Parameters& above,
                            "/sensor a camera of the world");
 }
 
-/// Cameras' names become folders.
+}  // namespace
+
 bool isGoodName(const std::string& name) {
   const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
   constexpr std::size_t kLongest = 80;
   return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
          name.find_first_not_of(allowed) == std::string::npos;
 }
-
-}  // namespace
 
 bool isRectifiedTopic(const std::string& topic) {
   return topic.find("/image_rect") != std::string::npos;

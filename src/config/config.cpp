@@ -142,6 +142,7 @@ Config readConfig(Parameters root) {
   config.global_frame = root.optional("global_frame", config.global_frame);
   config.world = readWorld(root);
   config.cameras = readCameras(root);
+  config.lidars = readLidars(root, config.cameras);
   config.randomization = readRandomization(root);
   config.twin = readTwinOptions(root, config);
   config.objects = readObjects(root);

@@ -276,6 +276,7 @@ bool isSettingGroup(const std::string& name) {
                                                   "classes",
                                                   "image",
                                                   "labels",
+                                                  "lidars",
                                                   "masks",
                                                   "motions",
                                                   "physics",

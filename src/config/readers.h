@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "lidar/lidar_options.h"
 #include "motion/motion_options.h"
 #include "output/output_options.h"
 #include "randomize/appearance/randomize_options.h"
@@ -16,6 +17,7 @@
 #include "scene/object_options.h"
 #include "scene/scene_options.h"
 #include "synthetic_dataset/parameters.h"
+#include "synthetic_dataset/pose.h"
 
 /// The readers of the groups of settings, in a source file for each. What is wrong is noted in the
 /// parameters, with a harmless value in its place. What a reader asks for declares its settings:
@@ -33,6 +35,14 @@ namespace synthetic_dataset::config {
 
 /// The camera of the group `camera`, or those of the group `cameras`, in alphabetical order.
 [[nodiscard]] std::vector<scene::CameraOptions> readCameras(Parameters root);
+
+/// Whether a camera or lidar may have a name, which becomes that of a folder.
+[[nodiscard]] bool isGoodName(const std::string& name);
+
+/// The lidars of the group `lidars`, in alphabetical order.
+/// @param cameras  whose frames they do not share
+[[nodiscard]] std::vector<lidar::LidarOptions> readLidars(
+    Parameters root, const std::vector<scene::CameraOptions>& cameras);
 
 /// What a part of a topic's name says, as image_proc names its topics: image_rect,
 /// image_rect_color/compressed.

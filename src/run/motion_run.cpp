@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -42,6 +43,22 @@ std::vector<Duration> bothOf(const std::vector<Duration>& one, const std::vector
   return both;
 }
 
+/// The labels of what a lidar's rays meet, by the world's links.
+std::vector<lidar::LinkLabel> linkLabels(const MotionSetup& motion) {
+  const std::vector<std::uint16_t> classes = labelOptions(motion).class_numbers;
+  std::vector<lidar::LinkLabel> labels;
+  for (const world::LinkInstance& link : motion.world->links()) {
+    lidar::LinkLabel& label = labels.emplace_back();
+    const std::size_t index = labels.size() - 1;
+    label.world_class = motion.world_classes[index];
+    label.part = motion.parts[index];
+    if (link.object < 0) continue;
+    label.instance = static_cast<std::uint16_t>(link.object + 1);
+    label.class_number = classes[static_cast<std::size_t>(link.object)];
+  }
+  return labels;
+}
+
 }  // namespace
 
 MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Requirements& requirements)
@@ -56,10 +73,18 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
       object_motion_(*motion.frames, motion.config.objects, motion.world->links(),
                      motion.driven_links),
       physics_findings_(*motion.world, motion.config.physics.contact_tolerance) {
+  if (requirements.clouds) makeSweepTaker();
   // A shutter may open before the recording begins: objects are where they are first seen then.
   const Stamp first = motion_.timeline.stamps.front();
   (void)object_motion_.objectPoses(first);
   motion_start_ = first + offsets_.front();
+}
+
+void MotionRun::makeSweepTaker() {
+  if (motion_.lidars.empty()) return;
+  sweep_taker_.emplace(*motion_.world, *motion_.frames, motion_.lidars, linkLabels(motion_),
+                       motion_.config.rendering.glass_in_labels, motion_.config.seed);
+  offsets_ = bothOf(offsets_, sweep_taker_->offsets());
 }
 
 bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter) {
@@ -135,8 +160,13 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   const bool waits_for_next = scene_maker_.needsOpticalFlow() && !stands_alone;
   const bool waits = waits_for_next || offsets_.size() > 1;
   std::vector<DrawnScene> scenes;
+  lidar::PendingClouds clouds;
   const auto develop = [&] {
+    if (sweep_taker_ && !clouds) {
+      clouds = sweep_taker_->take(instant, stamp, motion_.variation->materials());
+    }
     for (DrawnScene& each : scenes) {
+      each.clouds = clouds;
       const Scene& scene = each.seen.scene;
       if (motion_.config.hasRecordedImages()) continue;  // read when the scene is finished
       each.image = picture_taker_.develop(scene.camera_index, scene.index);
@@ -156,6 +186,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   const bool records_rows = row_recorder_.followsAny() && (is_wanted || !drawn_.empty());
   for (const Duration offset : offsets_) {
     moveWorld(stamp + offset);
+    if (is_wanted && sweep_taker_) sweep_taker_->look(offset);
     scene::CameraPoses poses(motion_.cameras, *motion_.world, *motion_.frames, stamp, offset);
     if (offset == Duration{0}) {
       addOpticalFlow(&poses);
@@ -199,9 +230,12 @@ void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
 MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                       scene::CameraPoses& poses,
                                       const std::vector<std::optional<Pose>>& X_GO) {
+  std::map<std::string, Pose> X_GF;
+  if (!motion_.lidars.empty()) X_GF = lidar::posesOf(motion_.lidars, *motion_.frames, stamp);
   DrawnScene scene{row_recorder_.follows(camera)
-                       ? scene_maker_.begin(camera, instant, stamp, poses, X_GO)
-                       : scene_maker_.look(camera, instant, stamp, poses, X_GO),
+                       ? scene_maker_.begin(camera, instant, stamp, poses, X_GO, X_GF)
+                       : scene_maker_.look(camera, instant, stamp, poses, X_GO, X_GF),
+                   {},
                    {},
                    {},
                    {},
@@ -282,6 +316,7 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
       std::exchange(drawn.seen.pixels.labels, {})(scene, measured);
   scene::TakenPicture recorded;
   if (motion_.pictures) recorded = motion_.pictures->take(scene.camera_index, scene.stamp);
+  if (drawn.clouds) scene.clouds = std::exchange(drawn.clouds, {})();
   const bool is_recorded = motion_.config.hasRecordedImages();
   scene.image = is_recorded ? recorded.pixels : std::exchange(drawn.image, {})();
   picture_taker_.measureDepth(scene);  // all labels are of the exact one

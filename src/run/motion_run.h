@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/scene_facts.h"
+#include "lidar/sweep_taker.h"
 #include "render/renderer.h"
 #include "run/reporter.h"
 #include "run/scene_pipeline.h"
@@ -46,6 +47,7 @@ class MotionRun {
     scene::SeenScene seen;
     render::PendingPicture image;
     scene::PendingRanges measured;  ///< what hides objects, where it is measured
+    lidar::PendingClouds clouds;    ///< where they are asked for
     std::vector<base::ContactFacts> contacts;
     std::vector<base::Warning> warnings;
     std::vector<base::DrawFacts> draws;
@@ -66,6 +68,7 @@ class MotionRun {
   void lookInRows(std::vector<DrawnScene>& scenes);
   void addOpticalFlow(scene::CameraPoses* now);
   void passOn(ScenePipeline& pipeline);
+  void makeSweepTaker();
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
   [[nodiscard]] base::SceneFacts factsOf(const DrawnScene& drawn,
                                          const label::MaskAgreement& agreement) const;
@@ -76,7 +79,8 @@ class MotionRun {
   scene::SceneMaker scene_maker_;
   scene::PictureTaker picture_taker_;
   scene::RowRecorder row_recorder_;
-  std::vector<Duration> offsets_;  ///< times around an instant that are looked at, ascending
+  std::optional<lidar::SweepTaker> sweep_taker_;  ///< where clouds are asked for
+  std::vector<Duration> offsets_;  ///< from an instant, at which the world is looked at; ascending
   scene::ObjectMotion object_motion_;
   scene::PhysicsFindings physics_findings_;
   Stamp motion_start_{0};                        ///< when the first shutter opens

@@ -24,15 +24,17 @@ SceneMaker::SceneMaker(const world::World& world, render::Renderer& renderer,
 }
 
 SeenScene SceneMaker::look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                           CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) {
-  SeenScene seen = begin(camera, instant, stamp, poses, std::move(X_GO));
+                           CameraPoses& poses, std::vector<std::optional<Pose>> X_GO,
+                           const std::map<std::string, Pose>& X_GF) {
+  SeenScene seen = begin(camera, instant, stamp, poses, std::move(X_GO), X_GF);
   const render::View view{seen.scene.camera, seen.scene.X_GC};
   seen.pixels = labellers_[camera].look({view, world_}, seen.scene);
   return seen;
 }
 
 SeenScene SceneMaker::begin(std::size_t camera, std::int64_t instant, Stamp stamp,
-                            CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) const {
+                            CameraPoses& poses, std::vector<std::optional<Pose>> X_GO,
+                            const std::map<std::string, Pose>& X_GF) const {
   const CameraRig& rig = cameras_[camera];
   const render::View view{rig.model, poses.of(camera).X_GC};
   const auto count = static_cast<std::int64_t>(cameras_.size());
@@ -51,12 +53,14 @@ SeenScene SceneMaker::begin(std::size_t camera, std::int64_t instant, Stamp stam
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     scene.objects.push_back(label::labelObject(shapes[i], X_GO[i], view.X_WC, view.camera));
   }
+  std::map<std::string, Pose> placed = posesByFrame(poses);
+  placed.insert(X_GF.begin(), X_GF.end());
   // Writers ask in their own thread, when the next scene may have been placed already.
-  scene.setTransforms([frames = frames_, stamp, X_GC = posesByFrame(poses)](
+  scene.setTransforms([frames = frames_, stamp, placed = std::move(placed)](
                           const std::string& target, const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
-      const auto found = X_GC.find(frame);
-      if (found != X_GC.end()) return found->second;
+      const auto found = placed.find(frame);
+      if (found != placed.end()) return found->second;
       const auto id = frames.find(frame);
       if (!id) throw Error(frames.lacks(frame));
       return frames.knownPose(*id, stamp);

@@ -45,12 +45,15 @@ class SceneMaker {
   /// @param instant  the index of the scene's time in the run
   /// @param poses  of the cameras at this time
   /// @param X_GO  the objects' poses, in their order
+  /// @param X_GF  of other frames that the source of motion need not have
   [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
-                               CameraPoses& poses, std::vector<std::optional<Pose>> X_GO);
+                               CameraPoses& poses, std::vector<std::optional<Pose>> X_GO,
+                               const std::map<std::string, Pose>& X_GF = {});
 
   /// The same without what follows from pixels, which is left to lookInRows.
   [[nodiscard]] SeenScene begin(std::size_t camera, std::int64_t instant, Stamp stamp,
-                                CameraPoses& poses, std::vector<std::optional<Pose>> X_GO) const;
+                                CameraPoses& poses, std::vector<std::optional<Pose>> X_GO,
+                                const std::map<std::string, Pose>& X_GF) const;
 
   /// What the camera sees if each row has its own time: labels of the picture in the place of those
   /// of the instant. Poses stay those of the instant.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "label/label_options.h"
+#include "lidar/lidar_options.h"
 #include "motion/motion_options.h"
 #include "randomize/appearance/randomize_options.h"
 #include "randomize/placement/placement_options.h"
@@ -45,7 +46,8 @@ struct SceneOptions {
   randomize::PlacementOptions placement;  ///< of MotionSource::kPlacement
   randomize::Randomization randomization;
   std::vector<CameraOptions> cameras;  ///< at least one
-  RecordedImageOptions twin;           ///< of cameras with an image_topic
+  std::vector<lidar::LidarOptions> lidars;
+  RecordedImageOptions twin;  ///< of cameras with an image_topic
   std::vector<ObjectOptions> objects;
   label::MaskOptions masks;
   label::LabelOptions labels;

@@ -110,7 +110,11 @@ std::vector<bool> SceneVariation::choosePresent(randomize::EntryDraws& draws) co
 void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
                           std::vector<CameraRig>& cameras) {
   randomize::EntryDraws shared(seed_, instant);
-  if (looks_) renderer.setLook(looks_->sample(shared));
+  if (looks_) {
+    const world::Look look = looks_->sample(shared);
+    renderer.setLook(look);
+    materials_ = look.materials;
+  }
   const render::Weather air = weather(shared);
   shared_ = shared.values();
   for (std::size_t i = 0; i < cameras.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,11 @@ class SceneVariation {
   /// @param world  that of the constructor
   void choose(std::int64_t instant, world::World& world);
 
+  /// The materials that surfaces have now (world::Look::materials).
+  [[nodiscard]] const std::map<const world::Material*, world::Material>& materials() const {
+    return materials_;
+  }
+
   /// What was drawn last for a camera's scene.
   [[nodiscard]] std::vector<base::DrawFacts> draws(std::size_t camera) const;
 
@@ -56,6 +62,7 @@ class SceneVariation {
   std::vector<render::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
   std::optional<randomize::LookSampler> looks_;
+  std::map<const world::Material*, world::Material> materials_;
   std::vector<ObjectOptions> objects_;                       ///< that are followed or placed
   std::vector<ObjectVariants> variants_;                     ///< of each object
   std::vector<randomize::DrawnValue> chosen_;                ///< of the time: what is there

@@ -16,7 +16,7 @@ constexpr bool Requirements::*kFlags[] = {
     &Requirements::silhouettes,     &Requirements::visible_masks, &Requirements::visibility,
     &Requirements::keypoint_states, &Requirements::class_map,     &Requirements::world_map,
     &Requirements::part_map,        &Requirements::depth,         &Requirements::normals,
-    &Requirements::optical_flow};
+    &Requirements::optical_flow,    &Requirements::clouds};
 
 Requirements merged(const std::vector<ReadyWriter>& writers) {
   Requirements all;

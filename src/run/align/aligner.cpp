@@ -157,8 +157,8 @@ class Aligner {
       times.push_back(stamps_[i] + moved_);
       times.push_back(stamps_[i] + moved_ + kProbe);
     }
-    setup_.timeline = planScenes(*setup_.frames, setup_.config, setup_.cameras, setup_.driven_links,
-                                 std::move(times));
+    setup_.timeline = planScenes(*setup_.frames, setup_.config, setup_.cameras, {},
+                                 setup_.driven_links, std::move(times));
     rig().X_FD = X_FD_;
     setup_.world->restart();
     const std::int64_t count = setup_.instantCount();

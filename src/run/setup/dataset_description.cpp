@@ -115,6 +115,9 @@ DatasetInfo describeDataset(const config::Config& config, const std::vector<Moti
   for (std::size_t camera = 0; camera < motions.front().cameras.size(); ++camera) {
     info.cameras.push_back(describeCamera(camera, motions));
   }
+  for (const lidar::LidarOptions& lidar : config.lidars) {
+    info.lidars.push_back({lidar.name, lidar.frame});
+  }
   for (const MotionSetup& motion : motions) {
     info.motions.push_back({motion.entry.name, motion.first_instant, motion.instantCount(),
                             !motion.timeline.is_recorded ? 0.0 : motion.config.motion.rate});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -47,6 +48,7 @@ class MotionBuilder {
     openSource();
     loadWorld();
     setUpCameras();
+    setUpLidars();
     findPictures();
     arrangeScenes();
     planScenes();
@@ -127,6 +129,9 @@ class MotionBuilder {
     for (const scene::ObjectOptions& object : config().objects) add(object.frame);
     for (const scene::CameraRig& camera : setup_.cameras) {
       if (const std::string frame = camera.neededFrame(); !frame.empty()) add(frame);
+    }
+    for (const lidar::LidarRig& lidar : setup_.lidars) {
+      if (lidar.followsFrame()) add(lidar.frame);
     }
     for (const std::vector<scene::DrivenLinks>& object : setup_.driven_links) {
       for (const scene::DrivenLinks& variant : object) {
@@ -233,6 +238,35 @@ class MotionBuilder {
     scene::notePictureFrames(setup_.cameras, diagnostics());
   }
 
+  void setUpLidars() {
+    if (!setup_.frames) return;
+    std::map<std::string, std::string> object_frames;
+    for (const scene::ObjectOptions& object : config().objects) {
+      if (object.takes_part) object_frames.emplace(object.name, object.frame);
+    }
+    for (const lidar::LidarOptions& lidar : config().lidars) {
+      auto rig = diagnostics().attempt(
+          [&] { return lidar::makeLidarRig(lidar, object_frames, *setup_.frames); });
+      if (!rig) continue;
+      checkSweep(*rig);
+      setup_.lidars.push_back(std::move(*rig));
+    }
+  }
+
+  /// As checkShutter: a sweep has to end before the next one begins.
+  void checkSweep(const lidar::LidarRig& lidar) {
+    const Duration sweep = lidar::sweepTime(lidar.model);
+    const Duration period = shortestPeriod(config());
+    if (sweep <= period || config().isTwin()) return;
+    diagnostics().error(
+        lidar.group + "/rate",
+        "found " + Value(lidar.model.rate).text() + " Hz, at which a sweep takes " +
+            fixed(toSeconds(sweep), 4) + " s; it should be at most the " +
+            fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
+            (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)"
+                                                : ")"));
+  }
+
   /// Scenes of recorded pictures are at their times, whatever the setting of the rate.
   void findPictures() {
     if (!config().isTwin() || !setup_.frames || setup_.cameras.size() != config().cameras.size()) {
@@ -281,6 +315,14 @@ class MotionBuilder {
     const std::vector<Stamp>& stamps = setup_.timeline.stamps;
     for (std::size_t i = 1; i < stamps.size(); ++i) {
       shortest = std::min(shortest, stamps[i] - stamps[i - 1]);
+    }
+    for (const lidar::LidarRig& lidar : setup_.lidars) {
+      const Duration sweep = lidar::sweepTime(lidar.model);
+      if (sweep <= shortest) continue;
+      diagnostics().error(lidar.group + "/rate", "found a sweep of " + fixed(toSeconds(sweep), 4) +
+                                                     " s; it should be at most the " +
+                                                     fixed(toSeconds(shortest), 4) +
+                                                     " s between two recorded pictures");
     }
     for (std::size_t i = 0; i < setup_.cameras.size(); ++i) {
       const Duration open = scene::openTime(setup_.cameras[i].shutter);
@@ -377,8 +419,8 @@ class MotionBuilder {
     auto timeline = diagnostics().attempt([&] {
       std::optional<std::vector<Stamp>> stamps;
       if (setup_.pictures) stamps = setup_.pictures->stamps();
-      return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.driven_links,
-                             std::move(stamps));
+      return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.lidars,
+                             setup_.driven_links, std::move(stamps));
     });
     if (!timeline) return;
     diagnostics().merge(timeline->diagnostics);
@@ -393,10 +435,13 @@ class MotionBuilder {
 
 }  // namespace
 
-bool MotionSetup::isCameraFrame(const std::string& frame) const {
-  return std::any_of(cameras.begin(), cameras.end(), [&](const scene::CameraRig& camera) {
-    return camera.frame == frame || camera.optical_frame == frame;
-  });
+bool MotionSetup::isSensorFrame(const std::string& frame) const {
+  return std::any_of(cameras.begin(), cameras.end(),
+                     [&](const scene::CameraRig& camera) {
+                       return camera.frame == frame || camera.optical_frame == frame;
+                     }) ||
+         std::any_of(lidars.begin(), lidars.end(),
+                     [&](const lidar::LidarRig& lidar) { return lidar.frame == frame; });
 }
 
 MotionSetup setUpMotion(config::MotionEntry entry, config::Config config, InputCache& inputs,

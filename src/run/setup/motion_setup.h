@@ -10,6 +10,7 @@
 #include "base/stages.h"
 #include "config/config.h"
 #include "config/motion_list.h"
+#include "lidar/lidar_rig.h"
 #include "motion/placed_frames.h"
 #include "scene/articulation.h"
 #include "scene/camera_pictures.h"
@@ -38,6 +39,7 @@ struct MotionSetup {
   std::unique_ptr<world::World> world;
   std::shared_ptr<WorldHistory> history;  ///< of one that moves alike, to be read and added to
   std::vector<scene::CameraRig> cameras;
+  std::vector<lidar::LidarRig> lidars;
   std::unique_ptr<scene::CameraPictures> pictures;    ///< recorded ones that scenes have, if any
   std::unique_ptr<scene::MeasuredSurfaces> surfaces;  ///< recorded with the pictures, if any
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
@@ -56,8 +58,8 @@ struct MotionSetup {
     return static_cast<std::int64_t>(timeline.stamps.size());
   }
 
-  /// Whether a camera has this frame: the source of motion need not have it then.
-  [[nodiscard]] bool isCameraFrame(const std::string& frame) const;
+  /// Whether a camera or lidar has this frame: the source of motion need not have it then.
+  [[nodiscard]] bool isSensorFrame(const std::string& frame) const;
 };
 
 /// Reads the recording, the world and the cameras, and finds the times of all scenes. Writes

@@ -14,7 +14,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// The frames that have to be known: of objects, and of cameras that are where their frame is.
+/// The frames that have to be known: of objects, and of sensors that are where their frame is.
 std::vector<std::string> neededFrames(const config::Config& config) {
   std::vector<std::string> frames;
   std::set<std::string> objects;
@@ -27,6 +27,9 @@ std::vector<std::string> neededFrames(const config::Config& config) {
     const bool has_pose = camera.X_GC || camera.aim || camera.on || camera.sample || camera.sensor;
     if (camera.frame && !has_pose) frames.push_back(*camera.frame);
     if (camera.on && objects.count(*camera.on) == 0) frames.push_back(*camera.on);
+  }
+  for (const lidar::LidarOptions& lidar : config.lidars) {
+    if (!lidar.X_GS && !lidar.on) frames.push_back(lidar.frame);
   }
   return frames;
 }

@@ -10,6 +10,7 @@
 
 #include "config/motion_list.h"
 #include "config/object_count.h"
+#include "lidar/ray_bodies.h"
 #include "run/check/motion_checks.h"
 #include "run/setup/balanced_blocks.h"
 #include "run/setup/dataset_description.h"
@@ -44,6 +45,7 @@ class Builder {
     setup_.config = setup_.motions.front().config;
     diagnostics().add(base::Severity::kError, list_.errors);
     checkSameCameras();
+    checkSameLidars();
     checkSameDistractors();
     checkSameWorldClasses();
     const std::int64_t told_count = countInstants();
@@ -119,6 +121,23 @@ class Builder {
                           "found " + namesOf(motion) + "; " + first.entry.group + " has " +
                               namesOf(first) +
                               ", and all motions should have cameras of the same names");
+    }
+  }
+
+  /// All scenes of a dataset have the same clouds.
+  void checkSameLidars() {
+    const auto namesOf = [](const MotionSetup& motion) {
+      std::set<std::string> names;
+      for (const lidar::LidarOptions& each : motion.config.lidars) {
+        names.insert(each.name + " (" + each.frame + ")");
+      }
+      return names;
+    };
+    for (const MotionSetup& motion : setup_.motions) {
+      if (namesOf(motion) == namesOf(setup_.motions.front())) continue;
+      diagnostics().error(motion.entry.group + "/lidars",
+                          "found other lidars or frames than the first motion has; all motions "
+                          "should have lidars of the same names and frames");
     }
   }
 
@@ -241,7 +260,7 @@ class Builder {
   void checkFrames(MotionSetup& motion) {
     if (!setup_.writers || !motion.frames) return;
     for (const std::string& frame : setup_.writers->requirements().frames) {
-      if (motion.isCameraFrame(frame)) continue;
+      if (motion.isSensorFrame(frame)) continue;
       if (motion.frames->find(frame)) {
         motion.diagnostics.attempt(
             [&] { leaveOutScenesWithout(frame, *motion.frames, motion.timeline); });
@@ -321,6 +340,7 @@ class Builder {
     }
     run.settings = usedSettings(parameters_, config(), unused, defaults);
     run.software = softwareVersions();
+    if (!config().lidars.empty()) run.software["embree"] = lidar::rayCasterVersion();
     const std::set<std::string> inputs = inputsOf(setup_.motions);
     for (const MotionSetup& motion : setup_.motions) diagnostics().merge(motion.diagnostics);
     on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");

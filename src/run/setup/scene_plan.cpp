@@ -61,8 +61,8 @@ void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids, Duration open,
   leaveOut(is_half_exposed, timeline);
   if (timeline.stamps.empty()) {
     throw Error(
-        "effects/exposure_time, readout_time: no scene of the recording is known over its "
-        "whole exposure of " +
+        "effects/exposure_time, readout_time, lidars: no scene of the recording is known over "
+        "its whole exposure, or sweep, of " +
         fixed(toSeconds(open), 4) + " s");
   }
 }
@@ -115,6 +115,7 @@ motion::Timeline findTimeline(const std::vector<std::string>& names,
 
 motion::Timeline planScenes(const motion::FrameSource& frames, const config::Config& config,
                             const std::vector<scene::CameraRig>& cameras,
+                            const std::vector<lidar::LidarRig>& lidars,
                             const std::vector<std::vector<scene::DrivenLinks>>& driven_links,
                             std::optional<std::vector<Stamp>> stamps) {
   std::vector<std::string> names;
@@ -123,6 +124,10 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
   for (const scene::CameraRig& camera : cameras) {
     if (const std::string frame = camera.neededFrame(); !frame.empty()) names.push_back(frame);
     open = std::max(open, scene::openTime(camera.shutter));
+  }
+  for (const lidar::LidarRig& lidar : lidars) {
+    if (lidar.followsFrame()) names.push_back(lidar.frame);
+    open = std::max(open, lidar::sweepTime(lidar.model));
   }
   motion::Timeline timeline = findTimeline(names, frames, config, std::move(stamps));
   if (open.count() == 0) return timeline;

@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "config/config.h"
+#include "lidar/lidar_rig.h"
 #include "motion/frame_source.h"
 #include "scene/articulation.h"
 #include "scene/camera_rig.h"
 
 namespace synthetic_dataset::run {
 
-/// The times at which scenes are made: those of the timeline at which all objects and cameras are
-/// known, over the whole exposure of each picture.
+/// The times at which scenes are made: those of the timeline at which objects and sensors are
+/// known, over the whole exposure of each picture and the whole sweep of each lidar.
 /// @param stamps  the times of recorded pictures, which take the place of regular ones
 /// @throws ErrorList when there is none, saying why
 [[nodiscard]] motion::Timeline planScenes(
     const motion::FrameSource& frames, const config::Config& config,
-    const std::vector<scene::CameraRig>& cameras,
+    const std::vector<scene::CameraRig>& cameras, const std::vector<lidar::LidarRig>& lidars,
     const std::vector<std::vector<scene::DrivenLinks>>& driven_links,
     std::optional<std::vector<Stamp>> stamps = std::nullopt);
 

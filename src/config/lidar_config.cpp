@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/name_list.h"
+#include "config/checked_values.h"
+#include "config/distribution_config.h"
+#include "config/pose_config.h"
+#include "config/readers.h"
+#include "lidar/lidar_options.h"
+
+namespace synthetic_dataset::config {
+namespace {
+
+using lidar::LidarModel;
+using lidar::LidarOptions;
+
+constexpr int kMostRings = 512;
+constexpr int kMostColumns = 65535;  // a point's column has 16 bits
+
+/// A list of as many numbers as there are rings.
+std::vector<double> readOfRings(Parameters& group, const std::string& name, std::size_t rings,
+                                double least, double most, const std::string& unit) {
+  const auto numbers = group.maybe<std::vector<double>>(name);
+  if (!numbers) return {};
+  const bool in_range = std::all_of(numbers->begin(), numbers->end(),
+                                    [&](double each) { return each >= least && each <= most; });
+  if (numbers->size() == rings && in_range) return *numbers;
+  group.addError(name, "found " + group.required<Value>(name).text() + "; it should be a list of " +
+                           std::to_string(rings) + " numbers, one a ring, from " +
+                           Value(least).text() + " to " + Value(most).text() + " " + unit);
+  return {};
+}
+
+/// `beams: {elevations: [...]}` or `{count: N, first: ..., last: ...}`.
+void readBeams(Parameters group, LidarModel& model) {
+  constexpr double kUp = kHalfTurn / 2.0;
+  const std::string angles =
+      "angles above the scanner's x-y plane, from -1.571 to 1.571" + std::string(kAngleUnit);
+  if (group.has("elevations")) {
+    const auto given = group.maybe<std::vector<double>>("elevations");
+    const bool is_right =
+        given && !given->empty() && given->size() <= kMostRings &&
+        std::all_of(given->begin(), given->end(), [](double e) { return std::abs(e) <= kUp; });
+    if (given && !is_right) {
+      group.addError("elevations", "found " + group.required<Value>("elevations").text() +
+                                       "; it should be 1 to 512 " + angles);
+    }
+    if (is_right) model.elevations = *given;
+    refuseWithout(group, {"count", "first", "last"}, "no list of elevations");
+  } else if (group.has("count") || model.elevations.empty()) {
+    const int count = group.maybeBetween<int>("count", 1, kMostRings).value_or(0);
+    const auto first = group.maybeBetween("first", -kUp, kUp);
+    const auto last = group.maybeBetween("last", -kUp, kUp);
+    if (count == 0 || !first || !last) {
+      group.addError("elevations", "missing; it should be a list of " + angles +
+                                       ", or count, first and last should say them");
+    }
+    model.elevations = lidar::evenAngles(std::max(count, 1), first.value_or(0), last.value_or(0));
+  }
+  const std::size_t rings = model.elevations.size();
+  if (model.firing_times.size() != rings) model.firing_times.clear();
+  if (group.has("azimuth_offsets")) {
+    model.azimuth_offsets =
+        readOfRings(group, "azimuth_offsets", rings, -kHalfTurn, kHalfTurn, "rad");
+  }
+  if (group.has("firing_times")) {
+    model.firing_times = readOfRings(group, "firing_times", rings, 0.0, 1.0, "s");
+  }
+}
+
+/// `azimuth: [first, last]`.
+void readAzimuth(Parameters& group, LidarModel& model) {
+  const auto given = group.maybe<std::vector<double>>("azimuth");
+  if (!given) return;
+  constexpr double kRounding = 1e-3;  // whole turns are given with few decimals
+  const double turn = 2.0 * kHalfTurn;
+  const bool is_right = given->size() == 2 && std::abs((*given)[0]) <= turn &&
+                        std::abs((*given)[1]) <= turn && (*given)[0] != (*given)[1] &&
+                        std::abs((*given)[1] - (*given)[0]) <= turn + kRounding;
+  if (!is_right) {
+    group.addError("azimuth", "found " + group.required<Value>("azimuth").text() +
+                                  "; it should be [first, last], where a sweep begins and where it "
+                                  "ends, from x to y, at most a turn apart" +
+                                  kAngleUnit);
+    return;
+  }
+  model.first_azimuth = (*given)[0];
+  model.last_azimuth = (*given)[1];
+}
+
+LidarModel readModel(Parameters& group) {
+  LidarModel model;
+  std::vector<std::string> names = lidar::modelNames();
+  const auto name = group.maybeChoice("model", names);
+  if (name) model = *lidar::modelOf(*name);
+  if (!group.has("model")) {
+    model.first_azimuth = kHalfTurn;
+    model.last_azimuth = -kHalfTurn;
+    if (!group.has("beams")) {
+      group.addError("model", "missing, and so are beams; it should be one of " +
+                                  base::listed(names) + ", or beams should say where rays go");
+      model.elevations = {0.0};
+    }
+  }
+  if (group.has("beams")) readBeams(group.group("beams"), model);
+  if (model.elevations.empty()) model.elevations = {0.0};  // what is wrong is noted
+  constexpr double kFastest = 1000.0;                      // [Hz]
+  model.rate = group.maybeBetween("rate", 0.01, kFastest).value_or(model.rate);
+  if (const auto columns = group.maybeBetween<int>("columns", 1, kMostColumns)) {
+    model.columns = *columns;
+    model.column_period.reset();
+  }
+  readAzimuth(group, model);
+  if (lidar::columnsOf(model) > kMostColumns) {
+    group.addError("rate", "found " + Value(model.rate).text() + " Hz, at which a sweep has " +
+                               std::to_string(lidar::columnsOf(model)) +
+                               " columns; it should have at most 65535");
+    model.rate = 10.0;
+  }
+  return model;
+}
+
+void readRanges(Parameters& group, LidarModel& model) {
+  constexpr double kFarthestSeen = 1e5;  // [m]
+  model.min_range = group.maybeBetween("min_range", 0.0, kFarthestSeen).value_or(model.min_range);
+  if (group.has("max_range") || model.max_range <= model.min_range) {
+    model.max_range = numberAbove(group, "max_range", model.min_range + 100.0, model.min_range);
+  }
+  constexpr double kCoarsest = 10.0;  // [m]
+  model.resolution = group.maybeBetween("resolution", 0.0, kCoarsest).value_or(model.resolution);
+  model.noise = group.maybeBetween("noise", 0.0, kCoarsest).value_or(model.noise);
+  model.dropout = group.maybeBetween("dropout", 0.0, 1.0).value_or(model.dropout);
+  if (group.has("reach_at_tenth")) {
+    const auto reach = group.maybeBetween("reach_at_tenth", 0.0, kFarthestSeen);
+    model.reach_at_tenth = reach.value_or(0.0) > 0.0 ? reach : std::nullopt;
+  }
+}
+
+/// `pose: [x, y, z, qx, qy, qz, qw]` or `{position: [x, y, z], rpy: [roll, pitch, yaw]}`.
+std::optional<Pose> readLidarPose(Parameters& group) {
+  if (!group.has("pose")) return std::nullopt;
+  const auto given = group.maybe<Value>("pose");
+  if (!given->is<Value::Map>()) {
+    return readPose(group, "pose", ", or {position: [x, y, z], rpy: [roll, pitch, yaw]}");
+  }
+  Parameters pose = group.group("pose");
+  const auto vector = [&](const std::string& name, double most, const std::string& should) {
+    const auto numbers = pose.required<std::vector<double>>(name);
+    const bool is_right =
+        numbers.size() == 3 && std::all_of(numbers.begin(), numbers.end(),
+                                           [&](double each) { return std::abs(each) <= most; });
+    if (is_right) return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+    if (pose.has(name) && !numbers.empty()) {
+      pose.addError(name,
+                    "found " + pose.required<Value>(name).text() + "; it should be " + should);
+    }
+    return Eigen::Vector3d(0, 0, 0);
+  };
+  const Eigen::Vector3d position = vector("position", kFarthest, "[x, y, z] [m]");
+  const Eigen::Vector3d rpy =
+      vector("rpy", 2.0 * kHalfTurn,
+             std::string("[roll, pitch, yaw], each at most a turn of 6.283") + kAngleUnit);
+  return makePose(position,
+                  Eigen::Quaterniond(Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
+                                     Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+                                     Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX())));
+}
+
+LidarOptions readLidar(Parameters group, const std::string& name) {
+  LidarOptions options;
+  options.name = name;
+  options.group = group.fullName("");
+  options.frame = group.optional<std::string>("frame_id", name + "/lidar_link");
+  options.on = group.maybe<std::string>("mounted_on");
+  options.X_GS = readLidarPose(group);
+  options.model = readModel(group);
+  readRanges(group, options.model);
+  return options;
+}
+
+}  // namespace
+
+std::vector<LidarOptions> readLidars(Parameters root,
+                                     const std::vector<scene::CameraOptions>& cameras) {
+  std::vector<LidarOptions> lidars;
+  if (!root.has("lidars")) return lidars;
+  Parameters all = root.group("lidars");
+  if (!lidar::canCastRays()) {
+    root.addError("lidars", lidar::howToCastRays());
+    root.ignore("lidars");
+    return lidars;
+  }
+  std::set<std::string> frames;
+  for (const scene::CameraOptions& camera : cameras) {
+    if (camera.frame) frames.insert(*camera.frame);
+  }
+  for (const std::string& name : all.names()) {
+    if (!isGoodName(name)) {
+      all.ignore(name);
+      all.addError(
+          name, "is no name for a folder; up to 80 letters, digits, '_', '-' and '.' are allowed");
+      continue;
+    }
+    lidars.push_back(readLidar(all.group(name), name));
+    if (!frames.insert(lidars.back().frame).second) {
+      all.group(name).addError("frame_id", "found '" + lidars.back().frame +
+                                               "', which is also the frame of a camera or another "
+                                               "lidar; each should have its own");
+    }
+  }
+  if (all.names().empty()) {
+    root.addError("lidars", "found no lidar; it should be a group with a group for each lidar");
+  }
+  return lidars;
+}
+
+}  // namespace synthetic_dataset::config
