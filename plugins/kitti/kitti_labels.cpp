@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
+#include <vector>
 
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_text.h"
@@ -23,7 +23,7 @@ bool isTilted(const Pose& X_CO) {
 }
 
 /// Numbers with a space before each.
-std::string columns(std::initializer_list<double> numbers) {
+std::string columns(const std::vector<double>& numbers) {
   constexpr int kDecimals = 6;
   std::string text;
   for (const double number : numbers) text += " " + fixed(number, kDecimals);
@@ -112,20 +112,27 @@ std::string labels(const Scene& scene, const KittiOptions& options, Benchmark be
   return lines;
 }
 
-std::string calibration(const Intrinsics& k) {
+std::string calibration(const Intrinsics& k, const Pose& X_CS) {
   const std::string projection =
       columns({k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) + "\n";
   std::string text;
   for (const char* camera : {"P0:", "P1:", "P2:", "P3:"}) text += camera + projection;
   text += "R0_rect:" + columns({1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) + "\n";
-  // A scanner in the camera's place, with x ahead, y left and z up.
-  text +=
-      "Tr_velo_to_cam:" + columns({0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0}) +
-      "\n";
+  std::vector<double> matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) matrix.push_back(X_CS.matrix()(row, column));
+  }
+  text += "Tr_velo_to_cam:" + columns(matrix) + "\n";
   text +=
       "Tr_imu_to_velo:" + columns({1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0}) +
       "\n";
   return text;
+}
+
+Pose scannerInCamera() {
+  Pose X_CS = Pose::Identity();
+  X_CS.linear() << 0.0, -1.0, 0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0;
+  return X_CS;
 }
 
 }  // namespace synthetic_dataset::kitti

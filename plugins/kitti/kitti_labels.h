@@ -19,6 +19,10 @@ enum class Benchmark { kObjects, kTracking };
                                  Benchmark benchmark, SceneOutput& output);
 
 /// A file of `calib`.
-[[nodiscard]] std::string calibration(const Intrinsics& k);
+/// @param X_CS  of the scanner in the camera's optical frame
+[[nodiscard]] std::string calibration(const Intrinsics& k, const Pose& X_CS);
+
+/// That of a scanner in the camera's place, with x ahead, y left and z up.
+[[nodiscard]] Pose scannerInCamera();
 
 }  // namespace synthetic_dataset::kitti

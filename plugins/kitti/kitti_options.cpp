@@ -42,14 +42,27 @@ std::map<std::string, std::string> typesOf(Parameters& parameters,
   return types;
 }
 
+/// `none`, `depth` or a lidar's name.
+void readVelodyne(Parameters& parameters, const DatasetInfo& dataset, KittiOptions& options) {
+  if (dataset.lidars.empty()) {
+    options.velodyne = parameters.optionalChoice("velodyne", {"none", "depth"}, "none") == "depth";
+    return;
+  }
+  const std::string velodyne = parameters.optional<std::string>("velodyne", "none");
+  options.velodyne = velodyne == "depth";
+  if (velodyne == "none" || velodyne == "depth") return;
+  options.lidar = dataset.lidarIndex(parameters, "velodyne", velodyne);
+  options.positions = readCloudPositions(parameters);
+}
+
 }  // namespace
 
-KittiOptions readKittiOptions(Parameters& parameters, const std::vector<ClassInfo>& classes) {
+KittiOptions readKittiOptions(Parameters& parameters, const DatasetInfo& dataset) {
   KittiOptions options;
-  options.types = typesOf(parameters, classes);
+  options.types = typesOf(parameters, dataset.classes);
   options.box = readBoxChoice(parameters);
   options.dont_care = parameters.optional("dont_care", options.dont_care);
-  options.velodyne = parameters.optionalChoice("velodyne", {"none", "depth"}, "none") == "depth";
+  readVelodyne(parameters, dataset, options);
   return options;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "plugins/shared/cloud_files.h"
 #include "synthetic_dataset/box_choice.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -16,11 +19,12 @@ inline constexpr const char* kDontCare = "DontCare";
 struct KittiOptions {
   std::map<std::string, std::string> types;  ///< KITTI's, by class
   BoxChoice box = BoxChoice::kVisible;
-  bool dont_care = true;  ///< whether objects without a label become such regions
-  bool velodyne = false;  ///< whether there are points of a scanner, made of the depth
+  bool dont_care = true;             ///< whether objects without a label become such regions
+  bool velodyne = false;             ///< whether there are points of a scanner, made of the depth
+  std::optional<std::size_t> lidar;  ///< whose points there are, in DatasetInfo::lidars
+  CloudPositions positions = CloudPositions::kAtStamp;  ///< of the lidar's points
 };
 
-[[nodiscard]] KittiOptions readKittiOptions(Parameters& parameters,
-                                            const std::vector<ClassInfo>& classes);
+[[nodiscard]] KittiOptions readKittiOptions(Parameters& parameters, const DatasetInfo& dataset);
 
 }  // namespace synthetic_dataset

@@ -1,12 +1,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "plugins/kitti/kitti_labels.h"
+#include "plugins/readback/cloud_pictures.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/kitti_files.h"
@@ -77,10 +79,17 @@ DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
 }
 
 std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& camera,
-                                       const DatasetInfo& /*dataset*/) {
+                                       const DatasetInfo& dataset) {
   std::vector<DecodedPicture> pictures;
+  const auto velodyne = scene.settings.find("velodyne");
+  std::optional<std::size_t> lidar;
+  if (velodyne != scene.settings.end() && velodyne->second.text() != "depth") {
+    lidar = lidarNamed(velodyne->second.text(), dataset);
+  }
   for (const fs::path& file : scene.files) {
-    if (file.extension() == ".bin") pictures.push_back(depthOf(file, camera));
+    if (file.extension() != ".bin") continue;
+    pictures.push_back(lidar ? velodynePicture(file, *lidar, scene.settings)
+                             : depthOf(file, camera));
   }
   return pictures;
 }

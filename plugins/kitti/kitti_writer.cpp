@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -10,21 +9,12 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/kitti/kitti_labels.h"
+#include "plugins/shared/cloud_files.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
 namespace {
-
-/// Appends a number as KITTI's binary files have it: four bytes, the lowest first.
-void appendFloat(std::string& bytes, double number) {
-  const auto value = static_cast<float>(number);
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  for (unsigned shift = 0; shift < 32U; shift += 8U) {
-    bytes.push_back(static_cast<char>(bits >> shift & 0xFFU));
-  }
-}
 
 /// Where the point lies that a pixel shows, in the optical frame [m]; nothing where there is none.
 std::optional<Eigen::Vector3d> pointAt(const CameraModel& camera, int u, int v, double depth) {
@@ -52,7 +42,9 @@ std::string scanOf(const Scene& scene) {
       const auto p_C = pointAt(scene.camera, u, v, row[u]);
       if (!p_C) continue;
       const Eigen::Vector3d p = *p_C * (1.0 + kitti::kScanDepth / p_C->norm());
-      for (const double number : {p.z(), -p.x(), -p.y(), 0.0}) appendFloat(bytes, number);
+      for (const double number : {p.z(), -p.x(), -p.y(), 0.0}) {
+        appendFloat(bytes, static_cast<float>(number));
+      }
     }
   }
   return bytes;
@@ -66,7 +58,11 @@ std::string scanOf(const Scene& scene) {
 class KittiWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    options_ = readKittiOptions(parameters, dataset.classes);
+    options_ = readKittiOptions(parameters, dataset);
+    if (options_.lidar) {
+      global_frame_ = dataset.global_frame;
+      lidar_frame_ = dataset.lidars[*options_.lidar].frame;
+    }
     for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
       folders_.push_back(dataset.cameraFolder(i));
     }
@@ -82,6 +78,10 @@ class KittiWriter : public LabelWriter {
     requirements.visible_masks = true;
     requirements.visibility = true;
     requirements.depth = options_.velodyne;
+    if (options_.lidar) {
+      requirements.clouds = true;
+      requirements.frames = {lidar_frame_};
+    }
     return requirements;
   }
 
@@ -94,6 +94,12 @@ class KittiWriter : public LabelWriter {
     if (options_.velodyne) {
       output.addText(training + "velodyne/" + number + ".bin", scanOf(scene));
     }
+    Pose X_CS = kitti::scannerInCamera();
+    if (options_.lidar) {
+      X_CS = scene.X_GC.inverse() * scene.transform(global_frame_, lidar_frame_);
+      output.addText(training + "velodyne/" + number + ".bin",
+                     velodyneFile(*scene.clouds().at(*options_.lidar), options_.positions));
+    }
     if (labels.empty()) {
       // OpenPCDet cannot load an image without a line (its object3d_kitti.py, kitti_dataset.py).
       output.addWarning("an image without any label is left out of ImageSets");
@@ -102,7 +108,7 @@ class KittiWriter : public LabelWriter {
     }
     output.addText(training + "label_2/" + number + ".txt", std::move(labels));
     output.addText(training + "calib/" + number + ".txt",
-                   kitti::calibration(scene.camera.intrinsics()));
+                   kitti::calibration(scene.camera.intrinsics(), X_CS));
   }
 
   static void listImage(const Scene& scene, const std::string& number, SceneOutput& output) {
@@ -126,7 +132,7 @@ class KittiWriter : public LabelWriter {
     records.forEach(imageSet(camera, kTest), [&](std::int64_t, const std::string& number) {
       std::vector<std::string> files = {"image_2/" + number + ".png", "calib/" + number + ".txt",
                                         "label_2/" + number + ".txt"};
-      if (options_.velodyne) files.push_back("velodyne/" + number + ".bin");
+      if (options_.velodyne || options_.lidar) files.push_back("velodyne/" + number + ".bin");
       for (const std::string& file : files) {
         output.addLink(folders_[camera] + "testing/" + file, folders_[camera] + "training/" + file);
       }
@@ -151,6 +157,8 @@ class KittiWriter : public LabelWriter {
   static constexpr const char* kTest = "test";
 
   KittiOptions options_;
+  std::string global_frame_;
+  std::string lidar_frame_;           ///< where it writes a lidar's points
   std::vector<std::string> folders_;  ///< of each camera
   std::vector<std::string> splits_;
 };

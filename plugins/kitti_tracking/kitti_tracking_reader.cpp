@@ -4,6 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/readback/cloud_pictures.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/kitti_files.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 LabelledPicture readScene(const WrittenScene& scene) {
   constexpr std::size_t kColumns = 16;  // behind the frame
   if (scene.files.empty()) throw Error("'" + scene.folder.string() + "': no image of the scene");
-  const SequenceFrame frame = frameOf(scene, scene.files.front());
+  const SequenceFrame frame = frameOf(scene, scene.file(".png"));
   const fs::path training = scene.folder / "training";
   const fs::path file = training / "label_02" / (frame.sequence + ".txt");
   const Intrinsics camera = readKittiCamera(training / "calib" / (frame.sequence + ".txt"));
@@ -39,8 +40,17 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
+std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& /*camera*/,
+                                       const DatasetInfo& dataset) {
+  const auto velodyne = scene.settings.find("velodyne");
+  if (velodyne == scene.settings.end()) return {};
+  const auto lidar = lidarNamed(velodyne->second.text(), dataset);
+  if (!lidar) return {};
+  return {velodynePicture(scene.file(".bin"), *lidar, scene.settings)};
+}
+
 }  // namespace
 
-Format format() { return {"synthetic_dataset/KittiTracking", true, readScene}; }
+Format format() { return {"synthetic_dataset/KittiTracking", true, readScene, picturesOf}; }
 
 }  // namespace synthetic_dataset::formats::kitti_tracking

@@ -9,6 +9,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/kitti/kitti_labels.h"
+#include "plugins/shared/cloud_files.h"
 #include "plugins/shared/pose_formats.h"
 #include "plugins/shared/sequences.h"
 #include "synthetic_dataset/label_writer.h"
@@ -31,9 +32,15 @@ class KittiTrackingWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     dataset.refuseVaryingIntrinsics("training/calib/");
-    options_ = readKittiOptions(parameters, dataset.classes);
+    options_ = readKittiOptions(parameters, dataset);
     if (options_.velodyne) {
-      parameters.addError("velodyne", "found 'depth'; only synthetic_dataset/Kitti writes points");
+      parameters.addError("velodyne",
+                          "found 'depth', of which only synthetic_dataset/Kitti makes points; it "
+                          "should be none or a lidar's name");
+    }
+    if (options_.lidar) {
+      global_frame_ = dataset.global_frame;
+      lidar_frame_ = dataset.lidars[*options_.lidar].frame;
     }
     warnOfUnknownTypes(parameters);
     sequences_ = Sequences(dataset);
@@ -60,6 +67,10 @@ class KittiTrackingWriter : public LabelWriter {
     Requirements requirements;
     requirements.visible_masks = true;
     requirements.visibility = true;
+    if (options_.lidar) {
+      requirements.clouds = true;
+      requirements.frames = {lidar_frame_};
+    }
     return requirements;
   }
 
@@ -67,6 +78,21 @@ class KittiTrackingWriter : public LabelWriter {
     warnOfDistortion(scene.camera, output);
     sequences_.addFrame(
         scene, "png", kitti::labels(scene, options_, kitti::Benchmark::kTracking, output), output);
+    if (!options_.lidar) return;
+    output.addText(scanOf("scenes/" + scene.name + ".png"),
+                   velodyneFile(*scene.clouds().at(*options_.lidar), options_.positions));
+    const Pose X_CS = scene.X_GC.inverse() * scene.transform(global_frame_, lidar_frame_);
+    output.addRecord(scannerChannel(scene.camera_index),
+                     kitti::calibration(scene.camera.intrinsics(), X_CS));
+  }
+
+  /// The points beside a scene's image.
+  [[nodiscard]] static std::string scanOf(const std::string& image) {
+    return image.substr(0, image.rfind('.')) + ".bin";
+  }
+
+  [[nodiscard]] static std::string scannerChannel(std::size_t camera) {
+    return "calib " + std::to_string(camera);
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -90,6 +116,9 @@ class KittiTrackingWriter : public LabelWriter {
         sequence, records,
         [&](std::int64_t frame, const std::string& image, const std::string& /*labels*/) {
           output.addLink("training/image_02/" + name + "/" + sixDigits(frame) + ".png", image);
+          if (!options_.lidar) return;
+          output.addLink("training/velodyne/" + name + "/" + sixDigits(frame) + ".bin",
+                         scanOf(image));
         });
     output.addFile("training/label_02/" + name + ".txt", [&](std::ostream& file) {
       sequences_.forEachFrame(
@@ -100,8 +129,20 @@ class KittiTrackingWriter : public LabelWriter {
     });
     output.addFile("training/calib/" + name + ".txt", [&](std::ostream& file) {
       const std::size_t camera = sequences_.all()[sequence].camera;
-      file << kitti::calibration(cameras_.at(camera).model.intrinsics());
+      file << calibrationOf(camera, records);
     });
+  }
+
+  /// That of a camera's first scene, against which the scanner is taken not to move.
+  [[nodiscard]] std::string calibrationOf(std::size_t camera, const SceneRecords& records) const {
+    std::string first;
+    if (options_.lidar) {
+      records.forEach(scannerChannel(camera), [&](std::int64_t, const std::string& record) {
+        if (first.empty()) first = record;
+      });
+    }
+    if (!first.empty()) return first;
+    return kitti::calibration(cameras_.at(camera).model.intrinsics(), kitti::scannerInCamera());
   }
 
   /// The sequences of a split and their numbers of frames, as the devkit reads them.
@@ -125,6 +166,8 @@ class KittiTrackingWriter : public LabelWriter {
   }
 
   KittiOptions options_;
+  std::string global_frame_;
+  std::string lidar_frame_;  ///< where it writes a lidar's points
   Sequences sequences_;
   std::vector<CameraDescription> cameras_;
   std::vector<std::string> splits_;

@@ -115,12 +115,6 @@ void compareLine(const std::string& found, const std::string& right, const std::
   }
 }
 
-bool isText(const std::string& bytes) {
-  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\r' && c != '\t';
-  });
-}
-
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -220,6 +214,12 @@ void compareJsonLines(const std::string& found, const std::string& right, const 
 }
 
 }  // namespace
+
+bool isText(const std::string& bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\r' && c != '\t';
+  });
+}
 
 void Differences::add(const std::string& where, const std::string& found,
                       const std::string& right) {

@@ -46,6 +46,9 @@ void compareText(const std::string& found, const std::string& right, const std::
 void compareContents(const std::string& found, const std::string& right, const std::string& name,
                      Differences& differences, const std::string* other = nullptr);
 
+/// Whether it has no bytes but those of letters, digits, marks and blanks.
+[[nodiscard]] bool isText(const std::string& bytes);
+
 /// Compares what writers keep in the manifest: as text or, where it is none, as bytes, in which
 /// numbers of 64 bits may be near.
 void compareRecords(const std::string& found, const std::string& right, const std::string& where,

@@ -23,7 +23,7 @@ struct DepthNumbers {
 
 /// One of a scene's pictures that files hold in another form than it has in Scene.
 struct DecodedPicture {
-  std::string name;       ///< in Scene: "depth"
+  std::string name;       ///< in Scene: "depth"; of clouds as base/cloud_pictures.h has them
   cv::Mat pixels;         ///< as Scene has them, as far as the files say
   std::string stored_as;  ///< the manifest's name of what is stored; empty: it has no digest of it
   cv::Mat stored;         ///< pixels of that digest, as the files have them

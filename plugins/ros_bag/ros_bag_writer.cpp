@@ -11,6 +11,7 @@
 #include "plugins/ros_bag/bag_recording.h"
 #include "plugins/ros_bag/bag_scene.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 #include "synthetic_dataset/label_writer.h"
 
 namespace synthetic_dataset {
@@ -32,7 +33,10 @@ class RosBagWriter : public LabelWriter {
     depth_ = parameters.optional("depth", true);
     frames_ = ros_messages::SceneFrames(
         dataset.global_frame, parameters.optional<std::string>("frame_prefix", "synthetic/"));
-    addCameras(dataset.cameras, readRoot(parameters));
+    const std::string root = readRoot(parameters);
+    const std::vector<std::string> topics = topicsOf(dataset, root);
+    addCameras(dataset.cameras, topics);
+    addLidars(parameters, dataset, topics);
     if (dataset.motions.size() > 1) {
       throw Error("a bag has one time line, and each of the " +
                   std::to_string(dataset.motions.size()) +
@@ -40,15 +44,32 @@ class RosBagWriter : public LabelWriter {
     }
   }
 
-  /// Poses that several cameras share come with the first one.
-  void addCameras(const std::vector<CameraDescription>& cameras, const std::string& root) {
+  /// What stands before the topics of all cameras, and then of all lidars.
+  static std::vector<std::string> topicsOf(const DatasetInfo& dataset, const std::string& root) {
     std::vector<std::string> names;
-    for (const CameraDescription& camera : cameras) names.push_back(camera.name);
-    const std::vector<std::string> topics = ros_messages::topicNames(names);
+    for (const CameraDescription& camera : dataset.cameras) names.push_back(camera.name);
+    for (const LidarDescription& lidar : dataset.lidars) names.push_back(lidar.name);
+    std::vector<std::string> topics = ros_messages::topicNames(names);
+    for (std::string& topic : topics) topic = root + "/" + topic;
+    return topics;
+  }
+
+  void addLidars(Parameters& parameters, const DatasetInfo& dataset,
+                 const std::vector<std::string>& topics) {
+    if (dataset.lidars.empty() || !parameters.optional("clouds", true)) return;
+    lidars_ = dataset.lidars;
+    lidar_topics_.assign(topics.begin() + static_cast<std::ptrdiff_t>(dataset.cameras.size()),
+                         topics.end());
+    object_classes_ = dataset.classes.size();
+  }
+
+  /// Poses that several cameras share come with the first one.
+  void addCameras(const std::vector<CameraDescription>& cameras,
+                  const std::vector<std::string>& topics) {
     std::set<std::string> frames;
     for (const CameraDescription& camera : cameras) {
       const bool is_first = cameras_.empty();
-      cameras_.push_back({root + "/" + topics[cameras_.size()],
+      cameras_.push_back({topics[cameras_.size()],
                           camera.model.distortion().model == DistortionModel::kNone,
                           {camera.frame, frames.insert(camera.frame).second, is_first}});
     }
@@ -98,6 +119,8 @@ class RosBagWriter : public LabelWriter {
     Requirements requirements;
     requirements.visible_masks = true;
     requirements.depth = depth_;
+    requirements.clouds = !lidars_.empty();
+    for (const LidarDescription& lidar : lidars_) requirements.frames.push_back(lidar.frame);
     return requirements;
   }
 
@@ -107,6 +130,22 @@ class RosBagWriter : public LabelWriter {
     if (depth_) output.addImage(depthFile(scene.name), scene.depth());
     output.addRecord(kScenes,
                      recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).frame, frames_)));
+    if (scene.camera_index == 0) writeClouds(scene, output);  // those of all cameras
+  }
+
+  void writeClouds(const Scene& scene, SceneOutput& output) const {
+    for (std::size_t i = 0; i < lidars_.size(); ++i) {
+      BagCloud cloud;
+      cloud.lidar = static_cast<std::uint32_t>(i);
+      cloud.file = "clouds/" + lidars_[i].name + "/" + sceneNumber(scene.instant) + ".msg";
+      const std::string frame = frames_.of(lidars_[i].frame);
+      cloud.transform =
+          ros_messages::transform(ros_messages::headerOf(scene.stamp, frames_.globalFrame()), frame,
+                                  scene.transform(frames_.globalFrame(), lidars_[i].frame));
+      output.addText(cloud.file, bytesOf(cloudMessage(ros_messages::headerOf(scene.stamp, frame),
+                                                      *scene.clouds().at(i), object_classes_)));
+      output.addRecord(kClouds, recordOf(cloud));
+    }
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -115,6 +154,9 @@ class RosBagWriter : public LabelWriter {
         BagRecording bag(file, compression_);
         records.forEach(kScenes, [&](std::int64_t /*scene*/, const std::string& record) {
           play(bagSceneOf(record), output, bag);
+        });
+        records.forEach(kClouds, [&](std::int64_t /*scene*/, const std::string& record) {
+          playCloud(bagCloudOf(record), output, bag);
         });
         bag.close();
       } catch (const rosbag::BagException& exception) {
@@ -143,6 +185,13 @@ class RosBagWriter : public LabelWriter {
     bag.write(camera.topic + "/objects", scene.stamp, scene.objects);
   }
 
+  void playCloud(const BagCloud& cloud, const DatasetOutput& files, BagRecording& bag) const {
+    tf2_msgs::TFMessage transforms;
+    transforms.transforms.push_back(cloud.transform);
+    bag.write("/tf", cloud.transform.header.stamp, transforms);
+    bag.write(lidar_topics_.at(cloud.lidar) + "/points", cloudIn(files.readFile(cloud.file)));
+  }
+
   /// With camera info beside it, where RViz and depth_image_proc look for it.
   static void playDepth(const BagScene& scene, const Camera& camera, const DatasetOutput& files,
                         BagRecording& bag) {
@@ -163,6 +212,7 @@ class RosBagWriter : public LabelWriter {
   }
 
   static constexpr const char* kScenes = "scenes";  // of records
+  static constexpr const char* kClouds = "clouds";  // of records
 
   std::string file_;
   rosbag::CompressionType compression_ = rosbag::compression::Uncompressed;
@@ -170,6 +220,9 @@ class RosBagWriter : public LabelWriter {
   bool depth_ = true;
   ros_messages::SceneFrames frames_{"", ""};
   std::vector<Camera> cameras_;
+  std::vector<LidarDescription> lidars_;  ///< whose clouds it has
+  std::vector<std::string> lidar_topics_;
+  std::size_t object_classes_ = 0;
 };
 
 }  // namespace synthetic_dataset

@@ -38,14 +38,19 @@ std::size_t Sequences::sequenceOf(const Scene& scene) const {
 
 void Sequences::addFrame(const Scene& scene, const std::string& extension,
                          const std::string& labels, SceneOutput& output) const {
+  const std::string image = "scenes/" + scene.name + "." + extension;
+  output.addImage(image, scene.image);
+  noteFrame(scene, image, labels, output);
+}
+
+void Sequences::noteFrame(const Scene& scene, const std::string& file, const std::string& labels,
+                          SceneOutput& output) const {
   const std::size_t sequence = sequenceOf(scene);
   if (sequences_[sequence].rate <= 0.0) {
     output.addWarning(
         "objects are placed anew in each scene, so nothing can be tracked from image to image");
   }
-  const std::string image = "scenes/" + scene.name + "." + extension;
-  output.addImage(image, scene.image);
-  output.addRecord(std::to_string(sequence), image + "\n" + labels);
+  output.addRecord(std::to_string(sequence), file + "\n" + labels);
 }
 
 void Sequences::forEachFrame(std::size_t sequence, const SceneRecords& records,

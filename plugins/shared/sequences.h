@@ -39,6 +39,11 @@ class Sequences {
   void addFrame(const Scene& scene, const std::string& extension, const std::string& labels,
                 SceneOutput& output) const;
 
+  /// The same of a frame that is another file than the scene's image.
+  /// @param file  of this scene: "scenes/00000000.bin"
+  void noteFrame(const Scene& scene, const std::string& file, const std::string& labels,
+                 SceneOutput& output) const;
+
   /// Calls `visit` for each frame of a sequence in its order.
   using Visit =
       std::function<void(std::int64_t frame, const std::string& image, const std::string& labels)>;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/cloud_pictures.h"
+
 namespace synthetic_dataset::base {
 namespace {
 
@@ -67,6 +69,7 @@ SceneFacts sceneFacts(const Scene& scene) {
   add("depth", scene.depth, facts.pictures);
   add("normals", scene.normals, facts.pictures);
   add("optical_flow", scene.optical_flow, facts.pictures);
+  if (scene.clouds.isKnown()) facts.pictures.merge(cloudPictures(scene.clouds()));
   add("world_map", scene.world_map, facts.link_maps);
   add("part_map", scene.part_map, facts.link_maps);
   return facts;

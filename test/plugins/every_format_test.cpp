@@ -21,6 +21,7 @@ class EveryFormat : public PluginTest, public testing::WithParamInterface<Format
  protected:
   EveryFormat() : PluginTest("synthetic_dataset/" + GetParam().type) {
     for (const std::string name : {"a", "b"}) addObject(name);
+    if (GetParam().has_lidar) addLidar();
     dataset_.classes = {{0, "cup"}};
     dataset_.setModels([](std::size_t /*object*/) {
       return cuboidModel({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
@@ -47,6 +48,7 @@ class EveryFormat : public PluginTest, public testing::WithParamInterface<Format
       object.keypoints_O = {Eigen::Vector3d::Zero()};
       object.keypoints = {keypoint(Eigen::Vector2d(120.0, 110.0), 10.0, KeypointState::kVisible)};
     }
+    if (GetParam().has_lidar) return withCloud(std::move(scene));
     return scene;
   }
 };
@@ -62,6 +64,7 @@ TEST_P(EveryFormat, WritesASceneWithNothingInView) {
   Scene empty = scene(0, {object("a"), object("b")});
   empty.stamp = Stamp(std::chrono::seconds(1));
   for (SceneObject& each : empty.objects) each.in_view = false;
+  if (GetParam().has_lidar) empty = withCloud(std::move(empty));
   EXPECT_NO_THROW(runAll({empty}));
 }
 

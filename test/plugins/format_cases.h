@@ -15,6 +15,8 @@ struct FormatCase {
   std::string type;  ///< "Yolo"
   Value::Map parameters = {};
   std::int64_t labels_of_a_scene = 2;  ///< in which two objects are seen
+  bool has_lidar = false;              ///< it writes the clouds of a lidar "top"
+  bool is_of_all_cameras = false;      ///< it has one file an instant, whatever cameras there are
 };
 
 inline std::ostream& operator<<(std::ostream& stream, const FormatCase& format) {
@@ -42,7 +44,13 @@ inline std::vector<FormatCase> formatCases() {
       {"ImageFolderJpeg", "ImageFolder", {{"image_format", "jpg"}, {"webdataset", true}}},
       {"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
       {"KittiVelodyne", "Kitti", {{"velodyne", "depth"}}},
+      {"KittiLidar", "Kitti", {{"velodyne", "top"}}, 2, true},
       {"KittiTracking", "KittiTracking", {{"class_names", Value::Map{{"cup", "Car"}}}}},
+      {"KittiTrackingLidar",
+       "KittiTracking",
+       {{"class_names", Value::Map{{"cup", "Car"}}}, {"velodyne", "top"}},
+       2,
+       true},
       {"LabelMe", "LabelMe"},
       {"LabelMeRectangles", "LabelMe", {{"shape", "rectangle"}, {"box", "silhouette"}}},
       {"Mot", "Mot"},
@@ -53,6 +61,13 @@ inline std::vector<FormatCase> formatCases() {
       {"PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
       {"PvNet", "PvNet"},
       {"RosBag", "RosBag"},
+      {"SemanticKitti", "SemanticKitti", {}, 2, true, true},
+      {"SemanticKittiOwn",
+       "SemanticKitti",
+       {{"class_ids", Value::Map{{"cup", 10}}}, {"motion_corrected", false}},
+       2,
+       true,
+       true},
       {"StvNet", "StvNet"},
       {"StvNetFromEdge", "StvNet", {{"pixel_origin", "edge"}}},
       {"UltralyticsDetect", "UltralyticsYolo", {{"task", "detect"}}},

@@ -1,5 +1,8 @@
 #include "plugins/plugin_harness.h"
 
+#include <memory>
+#include <utility>
+
 #include "support/writers/plugin_environment.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -49,6 +52,35 @@ Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
     if (target == source) return Pose::Identity();
     throw Error("no transform from " + source + " to " + target);
   });
+  return scene;
+}
+
+void PluginTest::addLidar() { dataset_.lidars.push_back({"top", "top/lidar_link"}); }
+
+Scene PluginTest::withCloud(Scene scene) {
+  Cloud cloud;
+  cloud.columns = 1 + 2 * static_cast<int>(scene.objects.size());
+  cloud.rings = 1;
+  const auto add = [&](const SceneObject* object) {
+    CloudPoint& point = cloud.points.emplace_back();
+    point.column = static_cast<std::uint16_t>(cloud.points.size() - 1);
+    const auto along = static_cast<float>(point.column);
+    point.position_S = {1.5F, along, 0.5F};
+    point.position_at_stamp_S = {1.25F, along, 0.5F};
+    point.intensity = 0.5F;
+    point.time = 1000 * point.column;
+    if (object == nullptr) return;
+    point.instance = static_cast<std::uint16_t>(object->instance);
+    point.class_number = static_cast<std::uint16_t>(object->class_id + 1);
+  };
+  add(nullptr);
+  for (const SceneObject& each : scene.objects) {
+    add(&each);
+    add(&each);
+  }
+  cloud.points_of_objects.assign(scene.objects.size(), 2);
+  scene.clouds = Clouds{std::make_shared<const Cloud>(std::move(cloud))};
+  scene.setTransforms([](const std::string&, const std::string&) { return Pose::Identity(); });
   return scene;
 }
 

@@ -35,6 +35,12 @@ class PluginTest : public testing::Test {
   /// The same scene as a camera of another focal length [px] has it.
   [[nodiscard]] static Scene zoomed(Scene scene, double focal_length);
 
+  /// Tells the writer of a lidar, "top".
+  void addLidar();
+
+  /// The scene with a cloud of two points of each object and one of the world.
+  [[nodiscard]] static Scene withCloud(Scene scene);
+
   /// An object at p_GO = (0, 0, 10) without turn, in view, with nothing to be seen.
   [[nodiscard]] static SceneObject object(const std::string& name);
 

@@ -58,12 +58,7 @@ void addDistortion(const Distortion& distortion, sensor_msgs::CameraInfo& info) 
 void addTransform(const std_msgs::Header& header, const std::string& child, const Pose& X_GB,
                   tf2_msgs::TFMessage& message) {
   if (child == header.frame_id) return;
-  geometry_msgs::TransformStamped transform;
-  transform.header = header;
-  transform.child_frame_id = child;
-  transform.transform.translation = toXyz<geometry_msgs::Vector3>(X_GB.translation());
-  transform.transform.rotation = toQuaternion(X_GB);
-  message.transforms.push_back(transform);
+  message.transforms.push_back(transform(header, child, X_GB));
 }
 
 /// Colours that differ however many classes there are: hues a golden ratio apart.
@@ -165,6 +160,16 @@ sensor_msgs::CameraInfo cameraInfo(const std_msgs::Header& header, const CameraM
   info.R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   info.P = {k.fx, 0.0, k.cx, 0.0, 0.0, k.fy, k.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
   return info;
+}
+
+geometry_msgs::TransformStamped transform(const std_msgs::Header& header, const std::string& child,
+                                          const Pose& X_GB) {
+  geometry_msgs::TransformStamped result;
+  result.header = header;
+  result.child_frame_id = child;
+  result.transform.translation = toXyz<geometry_msgs::Vector3>(X_GB.translation());
+  result.transform.rotation = toQuaternion(X_GB);
+  return result;
 }
 
 tf2_msgs::TFMessage transforms(const Scene& scene, const CameraFrame& camera,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <geometry_msgs/TransformStamped.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <std_msgs/Header.h>
 #include <tf2_msgs/TFMessage.h>
@@ -47,6 +48,10 @@ struct CameraFrame {
 
 [[nodiscard]] sensor_msgs::CameraInfo cameraInfo(const std_msgs::Header& header,
                                                  const CameraModel& camera);
+
+/// The pose of a frame in that of the header.
+[[nodiscard]] geometry_msgs::TransformStamped transform(const std_msgs::Header& header,
+                                                        const std::string& child, const Pose& X_GB);
 
 /// X_GC of the camera and X_GO of the objects, for `/tf`.
 [[nodiscard]] tf2_msgs::TFMessage transforms(const Scene& scene, const CameraFrame& camera,

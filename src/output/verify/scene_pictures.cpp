@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -88,6 +90,39 @@ void ScenePictures::give(Scene& scene, Filling filling) const {
       picture("optical_flow", CV_32FC2, cv::Scalar::all(kNone), cv::Scalar(1.5, -2.5));
 }
 
+void ScenePictures::giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling) {
+  // Whatever is counted differs between the two.
+  const std::size_t of_each = filling == Filling::kNothing ? 1 : 2;
+  Cloud cloud;
+  cloud.columns = static_cast<int>(
+      of_each * (scene.objects.size() + dataset.world_classes.size() + std::size_t{1}));
+  cloud.rings = 1;
+  const auto add = [&](std::uint16_t instance, std::uint16_t class_number, std::uint16_t of_world) {
+    for (std::size_t i = 0; i < of_each; ++i) {
+      CloudPoint& point = cloud.points.emplace_back();
+      point.position_S = point.position_at_stamp_S = {1.0F, 2.0F, 3.0F};
+      point.column = static_cast<std::uint16_t>(cloud.points.size() - 1);
+      point.instance = instance;
+      point.class_number = class_number;
+      point.world_class = of_world;
+    }
+  };
+  add(0, 0, 0);
+  for (const SceneObject& object : scene.objects) {
+    add(static_cast<std::uint16_t>(object.instance),
+        static_cast<std::uint16_t>(dataset.classIndex(object.class_id) + 1), 0);
+  }
+  for (std::size_t i = 1; i <= dataset.world_classes.size(); ++i) {
+    add(0, 0, static_cast<std::uint16_t>(i));
+  }
+  cloud.points_of_objects.assign(scene.objects.size(), static_cast<std::int64_t>(of_each));
+  Clouds clouds;
+  for (cloud.lidar = 0; cloud.lidar < dataset.lidars.size(); ++cloud.lidar) {
+    clouds.push_back(std::make_shared<const Cloud>(cloud));
+  }
+  scene.clouds = std::move(clouds);
+}
+
 std::optional<std::string> ScenePictures::nameOf(const cv::Mat& pixels, const Scene& scene) {
   if (pixels.empty()) return std::nullopt;
   if (areSamePixels(pixels, scene.image)) return "image";
@@ -108,6 +143,9 @@ std::string ScenePictures::take(const std::string& picture, const std::string& f
 }
 
 std::string ScenePictures::take(const formats::DecodedPicture& picture) {
+  if (picture.name.rfind("cloud_", 0) == 0) {
+    return problemOf(picture.stored_as, digestOfPixels(picture.stored));
+  }
   const PictureFacts* depth = factsOf("depth");
   const bool is_depth = picture.name == "depth";
   const cv::Size size(facts_.width, facts_.height);

@@ -8,6 +8,7 @@
 
 #include "output/manifest/picture_facts.h"
 #include "plugins/readback/format.h"
+#include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset::output {
@@ -24,6 +25,10 @@ class ScenePictures {
 
   /// Gives a scene its pictures.
   void give(Scene& scene, Filling filling) const;
+
+  /// Gives a scene clouds, of which no file holds all: of those that files hold, digests are known.
+  /// @param dataset  with its lidars
+  static void giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling);
 
   /// The name of a scene's picture that a writer hands on as it is; nothing for other pixels.
   [[nodiscard]] static std::optional<std::string> nameOf(const cv::Mat& pixels, const Scene& scene);

@@ -255,6 +255,7 @@ void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<Writ
     return;
   }
   Scene scene = true_.scene(facts);
+  ScenePictures::giveClouds(scene, true_.dataset(), ScenePictures::Filling::kNothing);
   ScenePictures pictures(facts);
   pictures.give(scene, ScenePictures::Filling::kNothing);
   std::vector<FoundScene> found(labels_.size());
@@ -268,7 +269,10 @@ void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<Writ
     RewrittenScene right;
     labels_[writer].writer->writeScene(scene, writer, right.result);
     if (dependsOnUnknown(writer, pictures)) {
-      if (!other) pictures.give(other.emplace(scene), ScenePictures::Filling::kSomething);
+      if (!other) {
+        pictures.give(other.emplace(scene), ScenePictures::Filling::kSomething);
+        ScenePictures::giveClouds(*other, true_.dataset(), ScenePictures::Filling::kSomething);
+      }
       right.other.emplace();
       labels_[writer].writer->writeScene(*other, writer, *right.other);
     }
@@ -323,7 +327,7 @@ bool SceneVerifier::dependsOnUnknown(std::size_t writer, const ScenePictures& pi
   const Requirements& needs = labels_[writer].writer->requirements();
   return !pictures.isKnown("image") || (needs.depth && !pictures.isKnown("depth")) ||
          (needs.normals && !pictures.isKnown("normals")) ||
-         (needs.optical_flow && !pictures.isKnown("optical_flow"));
+         (needs.optical_flow && !pictures.isKnown("optical_flow")) || needs.clouds;
 }
 
 void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const WrittenFiles& files,
@@ -334,7 +338,7 @@ void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const W
   if (!unknown.empty() && !std::exchange(labels.has_unknown_files, true)) {
     remark("'" + unknown + "' of '" + dataset_.content().writers[writer].name +
            "', and files like it, are checked by their sizes and SHA-256 alone: they are made of "
-           "pictures that no file of the dataset holds unchanged");
+           "pictures or clouds that no file of the dataset holds unchanged");
   }
   if (differences.empty()) return;
   std::vector<std::string> lines = wrongLabels(facts, writer, files, right.result.files);

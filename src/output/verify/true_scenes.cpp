@@ -21,6 +21,23 @@ std::string classTextOf(const RunDescription& run, const ObjectInfo& object) {
   return base::parseYaml(setting->second.value, "setting '" + object.name + "/class'").text();
 }
 
+/// The run's lidars, by their settings.
+std::vector<LidarDescription> lidarsOf(const RunDescription& run) {
+  const std::string begin = "lidars/";
+  const std::string end = "/frame_id";
+  std::vector<LidarDescription> lidars;
+  for (const auto& [name, setting] : run.settings) {
+    const bool is_frame = name.rfind(begin, 0) == 0 && name.size() > begin.size() + end.size() &&
+                          name.compare(name.size() - end.size(), end.size(), end) == 0;
+    if (!is_frame) continue;
+    lidars.push_back({name.substr(begin.size(), name.size() - begin.size() - end.size()),
+                      base::parseYaml(setting.value, "setting '" + name + "'").text()});
+  }
+  std::sort(lidars.begin(), lidars.end(),
+            [](const LidarDescription& a, const LidarDescription& b) { return a.name < b.name; });
+  return lidars;
+}
+
 /// What the facts say of an object; what they do not say stays unknown.
 void addMeasures(const ObjectFacts& facts, const Pose& X_CG, SceneObject& object) {
   object.X_GO = facts.X_GO;
@@ -115,6 +132,7 @@ TrueScenes::TrueScenes(const RunDescription& run) {
   for (const auto& each : run.motions) {
     dataset_.motions.push_back({each.name, each.first_instant, each.instant_count, each.rate});
   }
+  dataset_.lidars = lidarsOf(run);
   dataset_.credits = creditInfos(run.credits);
   dataset_.world_classes = run.world_classes;
   dataset_.splits = run.splits;

@@ -12,7 +12,7 @@ using testing::IsEmpty;
 /// What has to hold for a dataset of each format that nobody has touched.
 class VerifyEveryFormat : public VerificationTest, public testing::WithParamInterface<FormatCase> {
  protected:
-  VerifyEveryFormat() : VerificationTest(GetParam().type) {}
+  VerifyEveryFormat() : VerificationTest(GetParam().type, GetParam().has_lidar) {}
 };
 
 TEST_P(VerifyEveryFormat, FindsNothingWrong) {
@@ -97,7 +97,7 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoCamerasAndSplits) {
       ofTwoCamerasAndSplits([this](std::int64_t index) { return sceneOfBoth(index); });
   write(scenes, GetParam().parameters);
   EXPECT_THAT(problems(), IsEmpty());
-  EXPECT_EQ(counts_.labels, 4 * GetParam().labels_of_a_scene);
+  EXPECT_EQ(counts_.labels, (GetParam().is_of_all_cameras ? 2 : 4) * GetParam().labels_of_a_scene);
 }
 
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithClassesOfTheWorldAndParts) {

@@ -227,7 +227,7 @@ std::vector<Tampered> allOf(const std::string& bytes, const std::string& name) {
 
 class TamperedValues : public VerificationTest, public testing::WithParamInterface<FormatCase> {
  protected:
-  TamperedValues() : VerificationTest(GetParam().type) {}
+  TamperedValues() : VerificationTest(GetParam().type, GetParam().has_lidar) {}
 
   /// The part of the scene with both objects in it: small pictures are looked at sooner.
   Scene smallScene() {
@@ -261,6 +261,7 @@ class TamperedValues : public VerificationTest, public testing::WithParamInterfa
       object.keypoints.front().pixel = Eigen::Vector2d(21.5, 30.25);
       scene.objects.push_back(std::move(object));
     }
+    if (whole.clouds.isKnown()) scene.clouds = whole.clouds();
     return scene;
   }
 

@@ -24,7 +24,7 @@ class Listener : public VerificationListener {
 
 }  // namespace
 
-VerificationTest::VerificationTest(const std::string& format)
+VerificationTest::VerificationTest(const std::string& format, bool has_lidar)
     : PluginTest((format.find('/') == std::string::npos ? "synthetic_dataset/" : "") + format) {
   dataset_.classes = {{0, "cup"}, {1, "jug"}};
   for (const std::string name : {"a", "b"}) {
@@ -36,6 +36,7 @@ VerificationTest::VerificationTest(const std::string& format)
     info.keypoint_names = {"0"};
     dataset_.objects.push_back(info);
   }
+  if (has_lidar) addLidar();
   dataset_.setModels([](std::size_t /*object*/) {
     return cuboidModel({{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
   });
@@ -61,6 +62,7 @@ Scene VerificationTest::sceneOfBoth(std::int64_t index) const {
     keypoint.state = KeypointState::kVisible;
     object.keypoints = {keypoint};
   }
+  if (!dataset_.lidars.empty()) return withCloud(std::move(scene));
   return scene;
 }
 
@@ -69,6 +71,9 @@ output::RunDescription VerificationTest::description(const Value::Map& parameter
   output::RunDescription run;
   for (const auto& [name, text] : config::flatSettings(Value(Value::Map{{"w", parameters}}))) {
     run.settings[name] = {text, false};
+  }
+  for (const LidarDescription& lidar : dataset_.lidars) {
+    run.settings["lidars/" + lidar.name + "/frame_id"] = {'"' + lidar.frame + '"', true};
   }
   output::describeContents(dataset_, run);
   for (std::size_t i = 0; i < run.objects.size(); ++i) run.objects[i].model = dataset_.model(i);

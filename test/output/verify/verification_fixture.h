@@ -17,7 +17,8 @@ namespace synthetic_dataset::output {
 /// in pictures of 640 x 480.
 class VerificationTest : public PluginTest {
  protected:
-  explicit VerificationTest(const std::string& format);
+  /// @param has_lidar  whether the run has a lidar, "top"
+  explicit VerificationTest(const std::string& format, bool has_lidar = false);
 
   /// A scene in which both objects are seen.
   [[nodiscard]] Scene sceneOfBoth(std::int64_t index) const;
