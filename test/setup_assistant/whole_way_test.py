@@ -79,6 +79,7 @@ class WholeWay(unittest.TestCase):
 
     def record(self):
         self.step('recording', 'recording')
+        self.page.click('.greeting .by-hand')
         self.choose('[data-path="bag_file"] .file-list > button', 'worlds', 'example.bag')
         self.page.wait(lambda: self.page.all('.timeline-row'), 'the frames of the recording')
 

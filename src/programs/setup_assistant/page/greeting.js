@@ -9,8 +9,13 @@ const chosen = {
   bags: [],
   world: null,
   models: [],
-  isBusy: false
+  isBusy: false,
+  byHand: false
 };
+
+export function greets() {
+  return isEmpty() && !chosen.byHand;
+}
 
 export function greeting() {
   return h(
@@ -29,7 +34,16 @@ export function greeting() {
         h('p', {class: 'buttons'},
           h('button', {type: 'button', class: 'primary', disabled: chosen.isBusy || !chosen.bags.length, onclick: start},
             chosen.isBusy ? 'Reading the files\u2026' : 'Fill in the settings'),
-          chosen.bags.length ? null : h('span', {class: 'muted'}, 'A recording is needed for it.'))),
+          chosen.bags.length ? null : h('span', {class: 'muted'}, 'A recording is needed for it.'),
+          h('button', {
+            type: 'button',
+            class: 'quiet by-hand',
+            onclick: () => {
+              chosen.byHand = true;
+              changed();
+            }
+          },
+            'Step by step instead'))),
       h('section', {class: 'group'}, h('h2', {}, 'Without a recording'),
         h('p', {class: 'hint unfolded'}, 'Objects are placed at random: on the ground of a world, on a map, or in the air.'),
         h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: place}, 'Place objects at random'))));

@@ -2,10 +2,10 @@ import {h} from './dom.js';
 import {choiceField, fileListField, flowField, more, numberField, section, textField} from './fields.js';
 import {map} from './figure_map.js';
 import {timeline} from './figure_timeline.js';
-import {greeting} from './greeting.js';
+import {greeting, greets} from './greeting.js';
 import {count, duration, fileName} from './numbers.js';
 import {waysOfObjects} from './recording.js';
-import {answer, effective, isEmpty} from './store.js';
+import {answer, effective} from './store.js';
 
 const PATHS = [
   'bag_file', 'simulated_rate', 'start_offset', 'duration', 'max_tf_gap', 'stretch', 'tf_topics', 'pose_topics',
@@ -24,7 +24,7 @@ export const recordingPane = {
 };
 
 function draw() {
-  if (isEmpty()) return [greeting()];
+  if (greets()) return [greeting()];
   if (effective(['motion']) === 'placement') return [motionChoice(), withoutRecording()];
   const {value: recording, error} = answer('api/recording');
   const frames = (recording?.frames ?? []).map((each) => each.name);
