@@ -3,7 +3,7 @@ import {post} from './api.js';
 import {h} from './dom.js';
 import {browse} from './file_dialog.js';
 import {fileName} from './numbers.js';
-import {changed, change, isEmpty, report, store, takeStateOf} from './store.js';
+import {change, changed, isEmpty, report, store, takeStateOf} from './store.js';
 
 const chosen = {
   bags: [],
@@ -23,16 +23,19 @@ export function greeting() {
       h('section', {class: 'group'}, h('h2', {}, 'Start from a recording'),
         h('p', {class: 'hint unfolded'},
           'Choose what you have. Everything else is filled in, and can be changed afterwards.'),
-        row('Recording', 'a bag of ROS 1 or ROS 2', chosen.bags, () => add('bag', 'recording', chosen.bags), remover(chosen.bags)),
+        row('Recording', 'a bag of ROS 1 or ROS 2', chosen.bags, () => add('bag', 'recording', chosen.bags),
+            remover(chosen.bags)),
         row('World', 'an SDF world; without one, a plain ground and the sun', chosen.world ? [chosen.world] : [],
-            chooseWorld, () => {
+            chooseWorld,
+            () => {
               chosen.world = null;
               changed();
             }),
         row('Robots', 'their URDF, xacro or SDF files', chosen.models, () => add('model', 'robot', chosen.models),
             remover(chosen.models)),
         h('p', {class: 'buttons'},
-          h('button', {type: 'button', class: 'primary', disabled: chosen.isBusy || !chosen.bags.length, onclick: start},
+          h('button',
+            {type: 'button', class: 'primary', disabled: chosen.isBusy || !chosen.bags.length, onclick: start},
             chosen.isBusy ? 'Reading the files\u2026' : 'Fill in the settings'),
           chosen.bags.length ? null : h('span', {class: 'muted'}, 'A recording is needed for it.'),
           h('button', {
@@ -45,7 +48,8 @@ export function greeting() {
           },
             'Step by step instead'))),
       h('section', {class: 'group'}, h('h2', {}, 'Without a recording'),
-        h('p', {class: 'hint unfolded'}, 'Objects are placed at random: on the ground of a world, on a map, or in the air.'),
+        h('p', {class: 'hint unfolded'},
+          'Objects are placed at random: on the ground of a world, on a map, or in the air.'),
         h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: place}, 'Place objects at random'))));
 }
 
@@ -54,10 +58,11 @@ function row(label, what, files, choose, remove) {
       'div', {class: 'field greeting-row', key: label}, h('span', {class: 'label'}, label),
       h('ul', {class: 'chips'},
         files.map(
-            (file) => h(
-                'li', {title: file}, fileName(file),
-                h('button', {type: 'button', class: 'quiet', 'aria-label': `Remove ${file}`, onclick: () => remove(file)},
-                  '\u00d7')))),
+            (file) =>
+                h('li', {title: file}, fileName(file),
+                  h('button',
+                    {type: 'button', class: 'quiet', 'aria-label': `Remove ${file}`, onclick: () => remove(file)},
+                    '\u00d7')))),
       h('button', {type: 'button', onclick: choose, 'aria-label': `Choose: ${label}`},
         files.length && label !== 'World' ? 'Add\u2026' : 'Choose\u2026'),
       h('span', {class: 'muted'}, what));

@@ -82,7 +82,8 @@ function nameForm() {
           addObject({name, frame: known?.frame, stands: !known && models.includes(name)});
         }
       },
-      h('input', {type: 'text', list: 'offered-objects', placeholder: 'its name', 'aria-label': 'Name of the new object'}),
+      h('input',
+        {type: 'text', list: 'offered-objects', placeholder: 'its name', 'aria-label': 'Name of the new object'}),
       h('datalist', {id: 'offered-objects'}, offered.map((each) => h('option', {value: each}))),
       h('button', {type: 'submit', class: 'primary'}, 'Add'));
 }

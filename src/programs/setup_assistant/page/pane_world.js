@@ -96,7 +96,8 @@ function labelOf(model) {
   const isNamed = [].concat(entry.models).includes(model);
   return [
     String(entry.class ?? '?'),
-    isNamed ? h('button', {type: 'button', class: 'quiet', 'aria-label': `Do not label ${model}`, onclick: () => unlabel(model)},
+    isNamed ? h('button',
+                {type: 'button', class: 'quiet', 'aria-label': `Do not label ${model}`, onclick: () => unlabel(model)},
                 '\u00d7') :
               null,
   ];
