@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 import rosunit
 
-from example_dataset import DatasetCase, SCENES
+from example_dataset import DatasetCase, REPOSITORY, SCENES
 from synthetic_dataset import Dataset, DatasetError
 from synthetic_dataset.truth import mask_of_bytes
 
@@ -236,6 +236,34 @@ class Faults(unittest.TestCase):
         # The box at 40, 1 of 260 x 2: 1 off, 419 on, 100 off; seven bits a byte, the lowest first.
         np.testing.assert_array_equal(
             mask_of_bytes(bytes([40, 1, 132, 2, 2, 1, 163, 3, 100]), 4, 300), expected)
+
+
+class FormatOfOnesOwn(DatasetCase):
+
+    def test_is_written_by_the_thirty_lines_of_the_documentation(self):
+        page = (REPOSITORY / 'docs' / 'python.md').read_text('utf-8')
+        program = page.split("## A format of one's own", 1)[1]
+        program = program.split('```python\n', 1)[1].split('```', 1)[0]
+        self.assertLessEqual(len(program.splitlines()), 30)
+        with tempfile.TemporaryDirectory() as place:
+            os.mkdir(os.path.join(place, 'datasets'))
+            os.symlink(self.folder, os.path.join(place, 'datasets', 'example'))
+            before = os.getcwd()
+            os.chdir(place)
+            try:
+                exec(compile(program, 'python.md', 'exec'), {})  # pylint: disable=exec-used
+            finally:
+                os.chdir(before)
+            made = os.path.join(place, 'datasets', 'my_format')
+            scene = Dataset(self.folder)[SCENES - 1]
+            with open(os.path.join(made, 'labels', f'{scene.index:06}.json'), 'rb') as file:
+                labels = json.load(file)['objects']
+            seen = [each for each in scene.objects if each.is_labelled]
+            self.assertEqual([each['class'] for each in labels],
+                             [each.class_name for each in seen])
+            for label, each in zip(labels, seen):
+                with Image.open(os.path.join(made, label['mask'])) as mask:
+                    self.assertTrue(np.array_equal(np.asarray(mask) > 0, each.mask))
 
 
 if __name__ == '__main__':
