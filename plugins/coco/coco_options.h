@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct CocoOptions {
   bool keypoints = true;
   std::vector<std::string> keypoint_classes;  ///< that have keypoints; empty: all
   bool pad_keypoints = false;                 ///< all annotations have as many
+  std::map<std::string, int> category_ids;    ///< by class; others have their class's number + 1
   std::string annotation_file = "instances";  ///< the annotation files' name before the split's
 };
 
@@ -37,6 +39,17 @@ inline constexpr const char* kCocoPanoptic = "panoptic";
   return name;
 }
 
+/// The parameter `category_ids`. Loaders take 0 for "nothing".
+[[nodiscard]] inline std::map<std::string, int> readCategoryIds(Parameters& parameters) {
+  std::map<std::string, int> ids;
+  Parameters given = parameters.group("category_ids");
+  constexpr int kHighest = 1000000000;
+  for (const std::string& name : given.names()) {
+    ids[name] = given.maybeBetween(name, 1, kHighest).value_or(1);
+  }
+  return ids;
+}
+
 [[nodiscard]] inline CocoOptions readCocoOptions(Parameters& parameters) {
   CocoOptions options;
   options.as_polygons =
@@ -50,6 +63,7 @@ inline constexpr const char* kCocoPanoptic = "panoptic";
   options.keypoint_classes = parameters.maybe<std::vector<std::string>>("keypoint_classes")
                                  .value_or(std::vector<std::string>());
   options.pad_keypoints = parameters.optional("pad_keypoints", options.pad_keypoints);
+  options.category_ids = readCategoryIds(parameters);
   options.annotation_file = readAnnotationFile(parameters);
   return options;
 }

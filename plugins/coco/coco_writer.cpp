@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <ostream>
 
 #include <opencv2/core.hpp>
@@ -55,6 +56,7 @@ class CocoWriter : public LabelWriter {
     if (options_.panoptic) stuff_ = dataset.world_classes;
     has_world_classes_ = !stuff_.empty();
     if (!options_.background.empty()) stuff_.push_back(options_.background);
+    checkIds(parameters);
     objects_ = dataset.objects;
     object_count_ = static_cast<std::int64_t>(dataset.objects.size());
     has_splits_ = !dataset.splits.empty();
@@ -79,6 +81,27 @@ class CocoWriter : public LabelWriter {
       parameters.addError("background", "found '" + options_.background +
                                             "', which is also a class; the rest of the world "
                                             "should have another name");
+    }
+  }
+
+  /// Each category has an id of its own.
+  void checkIds(WriterParameters& parameters) const {
+    std::map<int, std::string> names;
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& name, int id) {
+      all.push_back(name);
+      const auto [same, added] = names.emplace(id, name);
+      if (added) return;
+      parameters.addError("category_ids", "found " + std::to_string(id) + " for '" + name +
+                                              "', which is also that of '" + same->second +
+                                              "'; each category should have its own");
+    };
+    for (const ClassInfo& each : classes_) add(each.name, categoryId(each.id));
+    for (std::size_t i = 0; i < stuff_.size(); ++i) add(stuff_[i], stuffId(i));
+    for (const auto& [name, id] : options_.category_ids) {
+      if (std::find(all.begin(), all.end(), name) != all.end()) continue;
+      parameters.addError("category_ids",
+                          "found '" + name + "', which is no category" + didYouMean(name, all));
     }
   }
 
@@ -138,7 +161,17 @@ class CocoWriter : public LabelWriter {
 
   [[nodiscard]] static std::int64_t imageId(const Scene& scene) { return scene.index + 1; }
 
-  [[nodiscard]] static int categoryId(int class_id) { return class_id + 1; }
+  [[nodiscard]] int categoryId(int class_id) const {
+    const auto each =
+        std::find_if(classes_.begin(), classes_.end(),
+                     [&](const ClassInfo& candidate) { return candidate.id == class_id; });
+    return each == classes_.end() ? class_id + 1 : idOf(each->name, class_id + 1);
+  }
+
+  [[nodiscard]] int idOf(const std::string& name, int fallback) const {
+    const auto given = options_.category_ids.find(name);
+    return given == options_.category_ids.end() ? fallback : given->second;
+  }
 
   [[nodiscard]] static Json imageOf(const Scene& scene, const std::string& file_name) {
     return {{"id", imageId(scene)},
@@ -261,7 +294,7 @@ class CocoWriter : public LabelWriter {
 
   /// The categories of the world's classes come after all others.
   [[nodiscard]] int stuffId(std::size_t stuff) const {
-    return categoryId(classes_.back().id + 1 + static_cast<int>(stuff));
+    return idOf(stuff_[stuff], classes_.back().id + 2 + static_cast<int>(stuff));
   }
 
   [[nodiscard]] Json instanceCategories() const {

@@ -480,5 +480,27 @@ TEST_F(Coco, NeedsKeypointStatesWhereThereAreKeypoints) {
   EXPECT_TRUE(load({}).requirements().visible_masks);
 }
 
+TEST_F(Coco, GivesCategoriesTheIdsThatAreWanted) {
+  load({{"category_ids", Value::Map{{"cup", Value(std::int64_t{47})}}},
+        {"panoptic", true},
+        {"background", "world"}});
+  EXPECT_THAT(parameters_.errors(), IsEmpty());
+  runAll({sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}})});
+  const json file = written("instances_train");
+  EXPECT_EQ(file["annotations"][0]["category_id"], 47);
+  EXPECT_EQ(file["annotations"][1]["category_id"], 3);
+  EXPECT_EQ(file["categories"][0]["id"], 47);
+  EXPECT_EQ(written("panoptic_train")["annotations"][0]["segments_info"][0]["category_id"], 47);
+}
+
+TEST_F(Coco, RefusesIdsOfTwoCategoriesAndOfNone) {
+  load({{"category_ids",
+         Value::Map{{"cup", Value(std::int64_t{3})}, {"cap", Value(std::int64_t{9})}}}});
+  EXPECT_THAT(parameters_.errors(),
+              ElementsAre(HasSubstr("w/category_ids: found 3 for 'fork \"lift\"', which is also "
+                                    "that of 'cup'"),
+                          HasSubstr("found 'cap', which is no category; did you mean 'cup'?")));
+}
+
 }  // namespace coco_writer_test
 }  // namespace synthetic_dataset
