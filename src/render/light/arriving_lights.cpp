@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 
 #include "render/shadows/shadow_projection.h"
 
@@ -21,16 +23,58 @@ Lanes withinCone(const LightInView& light, const Lanes& cosine) {
   return cv::v_load(shares.data());
 }
 
+/// A world with more lights leaves out what of a light cannot be seen.
+constexpr std::size_t kManyLights = 32;
+
+/// How far a light shines [m]: as far as its range, and where there are many, as it adds something
+/// that can be seen, even together with hundreds.
+float reachOf(const LightInView& light, bool is_one_of_many) {
+  constexpr float kUnseen = 1e-4F;  // of the light of a white surface
+  if (light.type == world::LightType::kDirectional) return std::numeric_limits<float>::infinity();
+  if (!is_one_of_many) return light.range;
+  // intensity / (c + l d + q d^2) = kUnseen
+  const float c = light.attenuation.x() - light.intensity.maxCoeff() / kUnseen;
+  const float l = light.attenuation.y();
+  const float q = light.attenuation.z();
+  if (c >= 0.0F) return 0.0F;
+  if (q > 0.0F) return std::min(light.range, (std::sqrt(l * l - 4.0F * q * c) - l) / (2.0F * q));
+  return l > 0.0F ? std::min(light.range, -c / l) : light.range;
+}
+
 }  // namespace
 
 ArrivingLights::ArrivingLights(const LightingContext& context)
     : context_(context), lookups_(context.lights.size()) {
   for (std::size_t i = 0; i < lookups_.size(); ++i) {
+    reaches_.push_back(reachOf(context.lights[i], lookups_.size() > kManyLights));
     const bool from_point = context.lights[i].type != world::LightType::kDirectional;
     for (const CastShadow& shadow : context.shadows[i]) {
       maps_.push_back(shadow.map.assemble(shadow.isSoft()));
       lookups_[i].emplace_back(shadow, maps_.back(), from_point);
     }
+  }
+}
+
+std::vector<std::size_t> ArrivingLights::all() const {
+  std::vector<std::size_t> lights(lookups_.size());
+  std::iota(lights.begin(), lights.end(), std::size_t{0});
+  return lights;
+}
+
+bool ArrivingLights::areMany() const {
+  constexpr std::size_t kFew = 4;
+  return lookups_.size() > kFew;
+}
+
+void ArrivingLights::reaching(const Eigen::Vector3f& low, const Eigen::Vector3f& high,
+                              std::vector<std::size_t>& lights) const {
+  lights.clear();
+  for (std::size_t i = 0; i < reaches_.size(); ++i) {
+    const Eigen::Vector3f& light_C = context_.lights[i].position_C;
+    const Eigen::Vector3f nearest_C = light_C.cwiseMax(low).cwiseMin(high);
+    // A little more, so that rounding leaves out none.
+    const float reach = reaches_[i] * 1.0001F;
+    if ((nearest_C - light_C).squaredNorm() <= reach * reach) lights.push_back(i);
   }
 }
 

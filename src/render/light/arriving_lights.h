@@ -45,7 +45,16 @@ class ArrivingLights {
   /// @param context  have to outlive this
   explicit ArrivingLights(const LightingContext& context);
 
-  [[nodiscard]] std::size_t count() const { return lookups_.size(); }
+  /// All lights, by their indices in the context.
+  [[nodiscard]] std::vector<std::size_t> all() const;
+
+  /// The lights, by their indices in the context, of which something arrives within a box.
+  /// @param low, high  its corners, in the camera's optical frame
+  void reaching(const Eigen::Vector3f& low, const Eigen::Vector3f& high,
+                std::vector<std::size_t>& lights) const;
+
+  /// Whether there are so many that it is worth while to ask which reach a place.
+  [[nodiscard]] bool areMany() const;
 
   [[nodiscard]] Arriving at(std::size_t light, const Lanes3& position_C) const;
 
@@ -63,6 +72,7 @@ class ArrivingLights {
   const LightingContext& context_;
   std::list<MapDepths::Assembled> maps_;            ///< which the lookups refer to
   std::vector<std::vector<ShadowLookup>> lookups_;  ///< of each light
+  std::vector<float> reaches_;                      ///< of each light [m]
 };
 
 }  // namespace synthetic_dataset::render

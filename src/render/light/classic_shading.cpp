@@ -7,10 +7,11 @@ namespace synthetic_dataset::render {
 ClassicShading::ClassicShading(const LightingContext& context)
     : context_(context), lights_(context) {}
 
-Lanes3 ClassicShading::seen(const ClassicLanes& surface) const {
+Lanes3 ClassicShading::seen(const ClassicLanes& surface,
+                            const std::vector<std::size_t>& lights) const {
   const Lanes3 nothing = lanes(0.0F, 0.0F, 0.0F);
   Sums sums{nothing, nothing};
-  for (std::size_t i = 0; i < lights_.count(); ++i) add(i, surface, sums);
+  for (const std::size_t i : lights) add(i, surface, sums);
   // What is encoded is about the square root of light.
   const Lanes3 around =
       surface.ambient * ambientLight(surface) * cv::v_sqrt(surface.ambient_visibility) +

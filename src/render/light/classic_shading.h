@@ -40,7 +40,11 @@ class ClassicShading {
   explicit ClassicShading(const LightingContext& context);
 
   /// The surfaces' colours in the picture, sRGB-encoded, before exposure.
-  [[nodiscard]] Lanes3 seen(const ClassicLanes& surface) const;
+  /// @param lights  by their indices in the context; others do not reach it
+  [[nodiscard]] Lanes3 seen(const ClassicLanes& surface,
+                            const std::vector<std::size_t>& lights) const;
+
+  [[nodiscard]] const ArrivingLights& lights() const { return lights_; }
 
  private:
   struct Sums {

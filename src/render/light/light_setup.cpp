@@ -2,48 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
-#include "synthetic_dataset/errors.h"
-
 namespace synthetic_dataset::render {
-namespace {
-
-constexpr int kMaxLights = SYNTHETIC_DATASET_MAX_LIGHTS;
-
-}  // namespace
-
-void checkLightCount(const std::vector<world::Light>& lights) {
-  if (lights.size() > kMaxLights) {
-    throw Error("world: found " + std::to_string(lights.size()) + " lights; at most " +
-                std::to_string(kMaxLights) + " can be drawn");
-  }
-}
-
-std::string lightMacros(const std::vector<world::Light>& lights, LightDetail detail) {
+std::string lightMacros(const std::vector<world::Light>& lights,
+                        const std::vector<std::size_t>& chosen, LightDetail detail) {
   const ShadowLayout layout = shadowLayout(lights, 1, detail);
   const std::string shadows =
       "#define SHADOW_RAISE " + std::to_string(kShadowRaise) + "\n#define GRAZING_SHADOW_RAISE " +
       std::to_string(kGrazingShadowRaise) + "\n#define SHADOW_MAPS " + std::to_string(layout.maps) +
-      "\n#define SHADOW_COUNT " + std::to_string(std::max(layout.maps + layout.sides, 1)) + "\n";
+      "\n#define SHADOW_COUNT " + std::to_string(std::max(layout.maps + layout.sides, 1)) +
+      "\n#define LIGHT_COUNT " + std::to_string(std::max<std::size_t>(chosen.size(), 1)) + "\n";
   // Each costs time to compile, in every program.
   constexpr std::size_t kMostUnrolled = 8;
   std::string each;
   std::string types;
   std::string first_maps;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const std::string type = std::to_string(static_cast<int>(lights[i].type));
-    const std::string first = std::to_string(layout.first_maps[i]);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const std::string type = std::to_string(static_cast<int>(lights[chosen[i]].type));
+    const std::string first = std::to_string(layout.first_maps[chosen[i]]);
     if (i < kMostUnrolled) each += " LIGHT(" + std::to_string(i) + "," + type + "," + first + ")";
     types += (i > 0 ? "," : "") + type;
     first_maps += (i > 0 ? "," : "") + first;
   }
-  if (lights.size() <= kMostUnrolled) return shadows + "#define EACH_LIGHT" + each + "\n";
+  if (chosen.size() <= kMostUnrolled) return shadows + "#define EACH_LIGHT" + each + "\n";
   const std::string list = "const int kTypes[] = int[](" + types + ");\n" +
                            "const int kFirstMaps[] = int[](" + first_maps + ");\n";
   return shadows + list + "#define EACH_LIGHT" + each +
          " for (int i = " + std::to_string(kMostUnrolled) + "; i < " +
-         std::to_string(lights.size()) + "; ++i) { LIGHT(i, kTypes[i], kFirstMaps[i]) }\n";
+         std::to_string(chosen.size()) + "; ++i) { LIGHT(i, kTypes[i], kFirstMaps[i]) }\n";
 }
 
 std::vector<LightInView> lightsIn(const View& view, const std::vector<world::Light>& lights) {
@@ -70,10 +58,12 @@ Eigen::Vector3f upIn(const View& view) {
 }
 
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
-               const std::vector<ShadowProjection>& shadows, const View& view) {
-  std::size_t i = 0;
-  for (const LightInView& light : lightsIn(view, lights)) {
-    const std::string name = "lights[" + std::to_string(i++) + "].";
+               const std::vector<std::size_t>& chosen, const std::vector<ShadowProjection>& shadows,
+               const View& view) {
+  const std::vector<LightInView> all = lightsIn(view, lights);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const LightInView& light = all[chosen[i]];
+    const std::string name = "lights[" + std::to_string(i) + "].";
     program.set(name + "position_C", light.position_C);
     program.set(name + "direction_C", light.direction_C);
     program.set(name + "intensity", light.intensity);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,12 @@
 
 namespace synthetic_dataset::render {
 
-/// @throws Error when there are more lights than the shader has
-void checkLightCount(const std::vector<world::Light>& lights);
-
 /// What shaders with lighting.glsl have to know of the lights when they are compiled: their macro
 /// EACH_LIGHT.
+/// @param chosen  the lights that they are for, by their indices
 /// @param detail  the most that these shaders are used for
-[[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights, LightDetail detail);
+[[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights,
+                                      const std::vector<std::size_t>& chosen, LightDetail detail);
 
 /// A light as a camera sees it, in its optical frame.
 struct LightInView {
@@ -39,7 +39,9 @@ struct LightInView {
 [[nodiscard]] Eigen::Vector3f upIn(const View& view);
 
 /// Tells such a shader of the lights, in the camera's frame.
+/// @param chosen  those that it was compiled for
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
-               const std::vector<ShadowProjection>& shadows, const View& view);
+               const std::vector<std::size_t>& chosen, const std::vector<ShadowProjection>& shadows,
+               const View& view);
 
 }  // namespace synthetic_dataset::render

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "render/parts/surface_drawing.h"
@@ -21,6 +22,9 @@ SurfaceImages widened(const SurfaceImages& images) {
   return {render::widened(images.base_roughness), render::widened(images.normal_metalness),
           render::widened(images.faces), render::widened(images.glows)};
 }
+
+/// Pixels of a row for which it is found together which lights reach them.
+constexpr int kBlock = 32;
 
 /// Whether none of four pixels is wanted.
 bool isNone(const std::uint8_t* wanted) {
@@ -71,7 +75,8 @@ struct SurfaceLighter::Row {
         normal_metalness(surfaces.normal_metalness.ptr<std::uint16_t>(row)),
         faces(surfaces.faces.empty() ? nullptr : surfaces.faces.ptr<std::uint16_t>(row)),
         glows(surfaces.glows.empty() ? nullptr : surfaces.glows.ptr<std::uint16_t>(row)),
-        light(lit.ptr<std::uint16_t>(row)) {}
+        light(lit.ptr<std::uint16_t>(row)),
+        columns(lit.cols) {}
 
   const int* items;
   const float* depths;
@@ -80,6 +85,7 @@ struct SurfaceLighter::Row {
   const std::uint16_t* faces;
   const std::uint16_t* glows;
   std::uint16_t* light;
+  int columns;
   float slope_y = 0.0F;
   const float* rays = nullptr;  ///< of the first column
   const float* open = nullptr;
@@ -109,6 +115,7 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
   const cv::Mat how_open = render::widened(open);
   const cv::Mat along = rays_.empty() ? rays_ : render::widened(rays_(place));
   cv::Mat light(what.items.size(), CV_16UC4);
+  std::vector<std::size_t> lights = arriving().all();
   for (const cv::Rect& region : regions) {
     const cv::Rect pixels = region - place.tl();
     for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
@@ -116,20 +123,55 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
       row.slope_y = static_cast<float>((place.y + v - intrinsics_.cy) / intrinsics_.fy);
       if (!along.empty()) row.rays = along.ptr<float>(v);
       if (!how_open.empty()) row.open = how_open.ptr<float>(v);
+      int known_until = pixels.x;
       for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
         // Some pixels may be lit twice, or beside the region.
         const int first = firstLane(u, light.cols);
         if (isNone(which.ptr<std::uint8_t>(v, first))) continue;
-        lightFour(row, first, static_cast<float>(place.x + first));
+        if (arriving().areMany() && u >= known_until) {
+          known_until = std::min(u + kBlock, pixels.x + pixels.width);
+          findReaching(row, {first, known_until}, place.x, lights);
+        }
+        lightFour(row, first, static_cast<float>(place.x + first), lights);
       }
     }
   }
   return light.colRange(0, geometry.items.cols);
 }
 
+const ArrivingLights& SurfaceLighter::arriving() const {
+  return classic_ ? classic_->lights() : shading_->lights();
+}
+
+/// Finds the lights of which something arrives at some pixels of a row.
+/// @param left  the first column's in the picture
+void SurfaceLighter::findReaching(const Row& row, const cv::Range& columns, int left,
+                                  std::vector<std::size_t>& lights) const {
+  const Lanes far = lanes(std::numeric_limits<float>::max());
+  const Lanes zero = lanes(0.0F);
+  Lanes3 low{far, far, far};
+  Lanes3 high{zero - far, zero - far, zero - far};
+  const int last = firstLane(columns.end - 1, row.columns);
+  for (int u = columns.start; u <= last; u += kLaneCount) {
+    const int column = std::min(u, last);
+    const Lanes is_nothing =
+        cv::v_reinterpret_as_f32(cv::v_load(row.items + column) == cv::v_setzero_s32());
+    const Lanes3 at = positionsAt(row, column, static_cast<float>(left + column));
+    low = select(is_nothing, low,
+                 {cv::v_min(low.x, at.x), cv::v_min(low.y, at.y), cv::v_min(low.z, at.z)});
+    high = select(is_nothing, high,
+                  {cv::v_max(high.x, at.x), cv::v_max(high.y, at.y), cv::v_max(high.z, at.z)});
+  }
+  arriving().reaching(
+      {cv::v_reduce_min(low.x), cv::v_reduce_min(low.y), cv::v_reduce_min(low.z)},
+      {cv::v_reduce_max(high.x), cv::v_reduce_max(high.y), cv::v_reduce_max(high.z)}, lights);
+}
+
 /// @param column  of the images
 /// @param u  the same in the picture
-void SurfaceLighter::lightFour(const Row& row, int column, float u) const {
+/// @param lights  that reach it
+void SurfaceLighter::lightFour(const Row& row, int column, float u,
+                               const std::vector<std::size_t>& lights) const {
   const cv::v_int32x4 items = cv::v_load(row.items + column);
   const cv::v_int32x4 is_nothing = items == cv::v_setzero_s32();
   std::uint16_t* to = row.light + 4 * column;
@@ -138,8 +180,8 @@ void SurfaceLighter::lightFour(const Row& row, int column, float u) const {
     storeHalves(to, nothing);
     return;
   }
-  const Lanes3 seen = classic_ ? classic_->seen(classicAt(row, column, u))
-                               : shading_->seen(surfacesAt(row, column, u));
+  const Lanes3 seen = classic_ ? classic_->seen(classicAt(row, column, u), lights)
+                               : shading_->seen(surfacesAt(row, column, u), lights);
   storeHalves(to, select(cv::v_reinterpret_as_f32(is_nothing), nothing, seen));
 }
 

@@ -46,7 +46,10 @@ class SurfaceLighter {
  private:
   struct Row;
 
-  void lightFour(const Row& row, int column, float u) const;
+  void lightFour(const Row& row, int column, float u, const std::vector<std::size_t>& lights) const;
+  [[nodiscard]] const ArrivingLights& arriving() const;
+  void findReaching(const Row& row, const cv::Range& columns, int left,
+                    std::vector<std::size_t>& lights) const;
   [[nodiscard]] SurfaceLanes surfacesAt(const Row& row, int column, float u) const;
   [[nodiscard]] ClassicLanes classicAt(const Row& row, int column, float u) const;
   [[nodiscard]] Lanes3 positionsAt(const Row& row, int column, float u) const;

@@ -48,9 +48,10 @@ SurfaceShading::SurfaceShading(const LightingContext& context)
   fog_light_ = context.exposure * linearFromSrgb(context.fog->colour);
 }
 
-Lanes3 SurfaceShading::seen(const SurfaceLanes& surface) const {
+Lanes3 SurfaceShading::seen(const SurfaceLanes& surface,
+                            const std::vector<std::size_t>& lights) const {
   const Lanes exposure = lanes(context_.exposure);
-  Lanes3 light = lit(surface) * exposure;
+  Lanes3 light = lit(surface, lights) * exposure;
   light = {shoulder(light.x), shoulder(light.y), shoulder(light.z)};
   light = select(surface.is_lit, light, surface.base * exposure);
   if (context_.fog) {
@@ -61,7 +62,8 @@ Lanes3 SurfaceShading::seen(const SurfaceLanes& surface) const {
 }
 
 /// The light that a surface emits and reflects to the camera.
-Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
+Lanes3 SurfaceShading::lit(const SurfaceLanes& surface,
+                           const std::vector<std::size_t>& lights) const {
   const Lanes one = lanes(1.0F);
   Response response;
   response.to_eye = normalized(lanes(0.0F, 0.0F, 0.0F) - surface.position_C);
@@ -72,7 +74,7 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface) const {
   response.n_dot_v = cv::v_max(dot(surface.normal, response.to_eye), lanes(1e-3F));
 
   Lanes3 sum = ambient(surface, response) + surface.glow;
-  for (std::size_t i = 0; i < lights_.count(); ++i) sum = sum + reflected(i, surface, response);
+  for (const std::size_t i : lights) sum = sum + reflected(i, surface, response);
   return sum;
 }
 

@@ -36,7 +36,11 @@ class SurfaceShading {
   explicit SurfaceShading(const LightingContext& context);
 
   /// The surfaces' light in the picture, at most 1.
-  [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface) const;
+  /// @param lights  by their indices in the context; others do not reach it
+  [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface,
+                            const std::vector<std::size_t>& lights) const;
+
+  [[nodiscard]] const ArrivingLights& lights() const { return lights_; }
 
  private:
   /// How the surface reflects any light.
@@ -52,7 +56,8 @@ class SurfaceShading {
   [[nodiscard]] Lanes3 imageBasedLight(const EnvironmentLight& environment,
                                        const SurfaceLanes& surface, const Response& response,
                                        const Lanes3& matte) const;
-  [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface) const;
+  [[nodiscard]] Lanes3 lit(const SurfaceLanes& surface,
+                           const std::vector<std::size_t>& lights) const;
   [[nodiscard]] Lanes3 reflected(std::size_t light, const SurfaceLanes& surface,
                                  const Response& response) const;
 

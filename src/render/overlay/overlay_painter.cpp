@@ -19,7 +19,8 @@ constexpr SurfaceFeatures kAllFeatures = ~SurfaceFeatures{0};
 
 std::string macrosOf(const DrawList& draw_list, const std::vector<world::Light>& lights,
                      LightDetail detail) {
-  return (draw_list.isClassic() ? "#define CLASSIC\n" : "") + lightMacros(lights, detail);
+  return (draw_list.isClassic() ? "#define CLASSIC\n" : "") +
+         lightMacros(lights, strongestLights(lights, kMostOnGlass), detail);
 }
 
 }  // namespace
@@ -29,6 +30,7 @@ OverlayPainter::OverlayPainter(const GlFunctions& gl, const DrawList& draw_list,
     : gl_(gl),
       draw_list_(draw_list),
       lights_(description.lights),
+      on_glass_(strongestLights(lights_, kMostOnGlass)),
       ambient_(description.ambient),
       fog_(description.fog),
       glass_programs_(gl, shaders::kMeshVertex, shaders::kGlassFragment, kAllFeatures,
@@ -72,7 +74,10 @@ void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
   const Pose X_CW = scene.view.X_WC.inverse();
   std::set<const ShaderProgram*> prepared;
   for (const DrawItem* item : draw_list_.transparentItems(X_CW, scene.X_WL, scene.drawn)) {
-    const ShaderProgram& program = glass_programs_.get(item->features | featuresOf(scene));
+    // What labels take for a hole is blended all the same.
+    const bool blends = (item->features & feature::kGlass) != 0;
+    const SurfaceFeatures own = item->features & ~(blends ? feature::kHoles : SurfaceFeatures{0});
+    const ShaderProgram& program = glass_programs_.get(own | featuresOf(scene));
     if (prepared.insert(&program).second) setSurroundings(program, scene);
     setMaterial(gl_, program, *item, draw_list_.simulator());
     setLight(program, *item->material);
@@ -106,7 +111,7 @@ void OverlayPainter::setSurroundings(const ShaderProgram& program, const ColourS
   program.set("ambient", linearFromSrgb(ambient_));
   program.set("brightest", brightestEncoded(scene.exposure));
   program.set("up_C", upIn(scene.view));
-  setLights(program, lights_, scene.shadows, scene.view);
+  setLights(program, lights_, on_glass_, scene.shadows, scene.view);
   setFog(program);
   program.set("exposure", scene.exposure);
 }

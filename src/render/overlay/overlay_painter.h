@@ -48,7 +48,8 @@ class OverlayPainter {
   const GlFunctions& gl_;
   const DrawList& draw_list_;
   std::vector<world::Light> lights_;
-  Eigen::Vector3f ambient_;  ///< sRGB-encoded
+  std::vector<std::size_t> on_glass_;  ///< of these
+  Eigen::Vector3f ambient_;            ///< sRGB-encoded
   std::optional<world::Fog> fog_;
   ShaderFamily glass_programs_;
   BackgroundPainter background_painter_;

@@ -36,7 +36,7 @@ bool seenThrough(const world::Mesh& mesh) {
 /// What the diffuse picture's alpha means; nothing where it is 1 everywhere.
 SurfaceFeatures alphaFeatures(const world::Material& material, bool opaque) {
   if (opaque) return 0;
-  if (material.texture_is_glass) return feature::kGlass;
+  if (material.texture_is_glass) return feature::kGlass | feature::kHoles;
   return material.alpha_threshold > 0.0F ? feature::kHoles : 0;
 }
 
@@ -64,7 +64,7 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
           item.identifier = static_cast<std::uint32_t>(links[link].object + 1);
           item.stands_still = links[link].role == world::Role::kStatic;
           place(visual, surface, item);
-          item.seen_through_in_labels = isSeenThroughInLabels(item);
+          seeThroughInLabels(item);
           features_ |= item.features;
           items_.push_back(std::move(item));
         }
@@ -73,9 +73,15 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
   }
 }
 
-bool DrawList::isSeenThroughInLabels(const DrawItem& item) const {
-  if (!item.transparent || glass_ == GlassInLabels::kSolid) return false;
-  return glass_ == GlassInLabels::kClear || item.identifier == 0;
+/// Of what is transparent by its picture alone, the texels that are not stay there.
+void DrawList::seeThroughInLabels(DrawItem& item) const {
+  const bool is_chosen = glass_ == GlassInLabels::kClear ||
+                         (glass_ == GlassInLabels::kOfObjects && item.identifier == 0);
+  if (!item.transparent || !is_chosen) return;
+  const bool is_by_picture = (item.features & feature::kGlass) != 0 &&
+                             item.material->diffuse.w() >= 1.0F && !seenThrough(*item.shape);
+  if (is_by_picture) item.alpha_threshold = kOpaque;
+  item.seen_through_in_labels = !is_by_picture;
 }
 
 void DrawList::place(const world::Visual& visual, const world::Surface& surface, DrawItem& item) {
@@ -128,6 +134,7 @@ void DrawList::dress(DrawItem& item) {
   const PixelMeaning colours = meaningOfColours(simulator_);
   ItemTextures& names = item.textures;
   use(material.texture, colours, feature::kTextured, names.diffuse);
+  item.alpha_threshold = material.texture_is_glass ? kLeastOpacity : material.alpha_threshold;
   if (material.texture) {
     const auto& uploaded = textures_.get(material.texture, colours);
     item.features |= alphaFeatures(material, uploaded.opaque);
@@ -153,6 +160,7 @@ void DrawList::setMaterials(const std::map<const world::Material*, world::Materi
     const auto varied = varied_.find(item.given);
     item.material = varied != varied_.end() ? &varied->second : item.given;
     dress(item);
+    seeThroughInLabels(item);
     features_ |= item.features;
   }
   textures_.forgetUnused();

@@ -25,6 +25,10 @@ struct ItemTextures {
   GLuint emissive = 0;
 };
 
+/// A blended texture whose alpha is less is not there for labels (docs/labels.md, "Glass").
+constexpr float kLeastOpacity = 0.1F;
+constexpr float kOpaque = 0.9F;  ///< the same where labels leave out what one can see through
+
 /// One surface of one link, ready to be drawn.
 struct DrawItem {
   const MeshBuffers* mesh = nullptr;
@@ -44,7 +48,8 @@ struct DrawItem {
   bool casts_by_front = false;  ///< the backs of its triangles add nothing to its shadow
   bool stands_still = false;    ///< the link is of what never moves
   bool double_sided = false;
-  bool has_holes = false;  ///< where its texture's alpha is small
+  bool has_holes = false;        ///< where its texture's alpha is small
+  float alpha_threshold = 0.5F;  ///< below it: of glass, where labels have it no more
 
   /// Labels leave it out, and do not hide what is behind it.
   bool seen_through_in_labels = false;
@@ -106,7 +111,7 @@ class DrawList {
   [[nodiscard]] DrawItem makeItem(const std::shared_ptr<const world::Mesh>& mesh,
                                   const world::Material& material);
   void place(const world::Visual& visual, const world::Surface& surface, DrawItem& item);
-  [[nodiscard]] bool isSeenThroughInLabels(const DrawItem& item) const;
+  void seeThroughInLabels(DrawItem& item) const;
   void dress(DrawItem& item);
   [[nodiscard]] const BoundingHull& hullOf(const world::Mesh& mesh);
   [[nodiscard]] bool isSurfaceOfBodies(const std::shared_ptr<const world::Mesh>& mesh);

@@ -16,7 +16,7 @@ ItemSurface surfaceOf(const DrawItem& item, bool is_classic, PyramidLibrary& pyr
   surface.offset = material.texture_offset;
   surface.roughness = material.roughness;
   surface.metalness = material.metalness;
-  surface.alpha_threshold = material.alpha_threshold;
+  surface.alpha_threshold = item.alpha_threshold;
   const auto has = [&](SurfaceFeatures feature) { return (item.features & feature) != 0; };
   if (has(feature::kTinted)) surface.tints = &item.shape->colours;
   surface.tints_are_encoded = !is_classic;

@@ -32,7 +32,7 @@ void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const DrawIt
   Eigen::Vector4f placement;
   placement << material.texture_scale, material.texture_offset;
   program.set("texture_placement", placement);
-  program.set("alpha_threshold", material.alpha_threshold);
+  program.set("alpha_threshold", item.alpha_threshold);
   if (item.textures.diffuse != 0) gl.BindTextureUnit(kDiffuseUnit, item.textures.diffuse);
 }
 

@@ -67,7 +67,6 @@ LightPainter::LightPainter(const GlFunctions& gl, const DrawList& draw_list,
       fog_(description.fog),
       environment_(gl, description),
       overlay_painter_(gl, draw_list, description, detail) {
-  checkLightCount(lights_);
   findPartLights();
 }
 

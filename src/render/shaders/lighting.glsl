@@ -26,7 +26,7 @@ struct Light {
   vec3 cone;         // cosine of the inner angle, cosine of the outer angle, falloff
 };
 
-uniform Light lights[MAX_LIGHTS];
+uniform Light lights[LIGHT_COUNT];
 uniform mat4 shadow_from_camera[SHADOW_COUNT];
 uniform float shadow_texel[SHADOW_COUNT];  // size of a texel [m], for spot and point lights at 1 m
 uniform sampler2DArrayShadow shadow_maps;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
 #include <string>
 
 namespace synthetic_dataset::render {
@@ -17,6 +20,29 @@ bool castsShadow(const world::Light& light, LightDetail detail) {
   // OGRE has no shadows of point lights in Gazebo's worlds.
   return light.casts_shadow &&
          (light.type != world::LightType::kPoint || detail == LightDetail::kFull);
+}
+
+/// As many lights cast shadows at most: their maps share the texels of a few.
+constexpr std::size_t kMostCasting = 32;
+
+/// How large the part of a world is that a light lights, and how brightly.
+double strengthOf(const world::Light& light) {
+  if (light.type == world::LightType::kDirectional) return std::numeric_limits<double>::infinity();
+  return light.diffuse.maxCoeff() * light.range * light.range;
+}
+
+/// Of each light whether it casts a shadow.
+std::vector<bool> castingLights(const std::vector<world::Light>& lights, LightDetail detail) {
+  std::vector<world::Light> casting;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (!castsShadow(lights[i], detail)) continue;
+    casting.push_back(lights[i]);
+    indices.push_back(i);
+  }
+  std::vector<bool> casts(lights.size(), false);
+  for (const std::size_t i : strongestLights(casting, kMostCasting)) casts[indices[i]] = true;
+  return casts;
 }
 
 /// A map's side, so that many have no more texels than a few.
@@ -140,23 +166,37 @@ void fitSide(const world::Light& light, int side, int size, ShadowProjection& pr
 
 }  // namespace
 
+std::vector<std::size_t> strongestLights(const std::vector<world::Light>& lights,
+                                         std::size_t most) {
+  std::vector<std::size_t> strongest(lights.size());
+  std::iota(strongest.begin(), strongest.end(), std::size_t{0});
+  if (lights.size() <= most) return strongest;
+  std::stable_sort(strongest.begin(), strongest.end(), [&](std::size_t a, std::size_t b) {
+    return strengthOf(lights[a]) > strengthOf(lights[b]);
+  });
+  strongest.resize(most);
+  std::sort(strongest.begin(), strongest.end());
+  return strongest;
+}
+
 ShadowLayout shadowLayout(const std::vector<world::Light>& lights, int size, LightDetail detail) {
   ShadowLayout layout;
+  const std::vector<bool> casts = castingLights(lights, detail);
   int cubes = 0;
-  for (const world::Light& light : lights) {
-    if (!castsShadow(light, detail)) continue;
-    ++(light.type == world::LightType::kPoint ? cubes : layout.maps);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (!casts[i]) continue;
+    ++(lights[i].type == world::LightType::kPoint ? cubes : layout.maps);
   }
   layout.sides = kCubeSides * cubes;
   layout.map_size = sizeOf(size, layout.maps);
   layout.side_size = sizeOf((size + 2) / 3, cubes);
   int next_map = 0;
   int next_side = layout.maps;
-  for (const world::Light& light : lights) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
     int first = -1;
-    if (castsShadow(light, detail) && light.type != world::LightType::kPoint) {
+    if (casts[i] && lights[i].type != world::LightType::kPoint) {
       first = next_map++;
-    } else if (castsShadow(light, detail)) {
+    } else if (casts[i]) {
       first = next_side;
       next_side += kCubeSides;
     }
@@ -165,8 +205,18 @@ ShadowLayout shadowLayout(const std::vector<world::Light>& lights, int size, Lig
   return layout;
 }
 
-std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights, LightDetail detail) {
+std::vector<std::string> lightNotes(const std::vector<world::Light>& lights, LightDetail detail) {
   std::vector<std::string> notes;
+  const auto casting = std::count_if(lights.begin(), lights.end(), [&](const world::Light& light) {
+    return castsShadow(light, detail);
+  });
+  const auto noteMost = [&](std::size_t count, std::size_t most, const std::string& what) {
+    if (count <= most) return;
+    notes.push_back("the world has " + std::to_string(count) + " lights" + what + "; the " +
+                    std::to_string(most) + " strongest do so");
+  };
+  noteMost(static_cast<std::size_t>(casting), kMostCasting, " that cast shadows");
+  noteMost(lights.size(), kMostOnGlass, ", which light what one can see through");
   for (const world::Light& light : lights) {
     if (!light.casts_shadow || castsShadow(light, detail)) continue;
     notes.push_back("light '" + light.name +

@@ -26,6 +26,13 @@ inline constexpr double kWidestSoftness = 12.0;
 /// How many shadow maps a point light has, each of a direction.
 inline constexpr int kCubeSides = 6;
 
+/// The lights that light most, by their indices in ascending order; directional ones first of all.
+[[nodiscard]] std::vector<std::size_t> strongestLights(const std::vector<world::Light>& lights,
+                                                       std::size_t most);
+
+/// As many lights light what one can see through at most, which OpenGL does.
+inline constexpr std::size_t kMostOnGlass = 256;
+
 /// How many shadow maps lights take, and how large they are.
 struct ShadowLayout {
   int maps = 0;       ///< of directional and spot lights, one each
@@ -66,8 +73,9 @@ struct ShadowProjection {
     const std::vector<world::Light>& lights, const std::vector<View>& views, const Bounds& casters,
     double shadow_distance, const ShadowLayout& layout, LightDetail detail);
 
-/// What the user should know: which lights should cast shadows and do not.
-[[nodiscard]] std::vector<std::string> shadowNotes(const std::vector<world::Light>& lights,
-                                                   LightDetail detail);
+/// What the user should know: which lights should cast shadows and do not, and of which there are
+/// too many.
+[[nodiscard]] std::vector<std::string> lightNotes(const std::vector<world::Light>& lights,
+                                                  LightDetail detail);
 
 }  // namespace synthetic_dataset::render

@@ -105,7 +105,7 @@ class WorldBuilder {
     const world::Description& loaded = setup_.world->description();
     addNotes(loaded.notes);
     diagnostics_.add(base::Severity::kWarning,
-                     render::shadowNotes(loaded.lights, config_.rendering.light));
+                     render::lightNotes(loaded.lights, config_.rendering.light));
     return std::move(setup_);
   }
 

@@ -80,5 +80,52 @@ TEST_P(GlassInLabelsTest, MayBeClear) {
 
 INSTANTIATE_TEST_SUITE_P(ThroughALens, GlassInLabelsTest, testing::Bool());
 
+/// A plate 2 m away whose picture, blended, is clear at the left and has this alpha at the right;
+/// behind it is the object 5.
+class BlendedPlate : public testing::TestWithParam<bool> {
+ protected:
+  /// What is seen at the left and at the right.
+  [[nodiscard]] static std::array<int, 2> seen(int object, std::uint8_t alpha,
+                                               GlassInLabels glass) {
+    auto texture = std::make_shared<world::Texture>();
+    texture->pixels = cv::Mat(8, 8, CV_8UC4, cv::Scalar(255, 255, 255, 0));
+    texture->pixels.colRange(4, 8).setTo(cv::Scalar(255, 255, 255, alpha));
+    world::Material leaf;
+    leaf.texture = texture;
+    leaf.texture_is_glass = true;
+    auto plate = std::make_shared<world::Mesh>();
+    plate->positions = {{-0.5F, -0.5F, 2}, {0.5F, -0.5F, 2}, {0.5F, 0.5F, 2}, {-0.5F, 0.5F, 2}};
+    plate->normals.assign(4, {0, 0, -1});
+    plate->texture_coordinates = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    plate->indices = {0, 2, 1, 0, 3, 2};
+    Stage stage;
+    stage.addMesh(plate, Pose::Identity(), object, leaf);
+    stage.addBox({2, 2, 0.01}, makePose({0, 0, 3}, Eigen::Quaterniond::Identity()), 5, {});
+    RenderOptions options;
+    options.glass_in_labels = glass;
+    const Intrinsics k{200.0, 200.0, 159.5, 119.5};
+    const CameraModel camera = GetParam() ? CameraModel(320, 240, k, 0.05, 100.0, kSlight)
+                                          : CameraModel(320, 240, k, 0.05, 100.0);
+    Renderer renderer({}, stage.links(), options);
+    const LabelImages labels =
+        renderer.labels({camera, Pose::Identity()}, stage.poses(), {stage.all()});
+    return {labels.ids.at<int>(120, 140), labels.ids.at<int>(120, 180)};
+  }
+};
+
+TEST_P(BlendedPlate, HasNoLabelsWhereItIsClear) {
+  EXPECT_EQ(seen(0, 255, GlassInLabels::kOfObjects), (std::array<int, 2>{6, 1}));
+  EXPECT_EQ(seen(0, 64, GlassInLabels::kOfObjects), (std::array<int, 2>{6, 1}));
+  EXPECT_EQ(seen(0, 12, GlassInLabels::kOfObjects), (std::array<int, 2>{6, 6}));
+}
+
+TEST_P(BlendedPlate, OfTheWorldHidesWhereItIsOpaque) {
+  EXPECT_EQ(seen(-1, 255, GlassInLabels::kOfObjects), (std::array<int, 2>{6, 0}));
+  EXPECT_EQ(seen(-1, 128, GlassInLabels::kOfObjects), (std::array<int, 2>{6, 6}));
+  EXPECT_EQ(seen(0, 128, GlassInLabels::kClear), (std::array<int, 2>{6, 6}));
+}
+
+INSTANTIATE_TEST_SUITE_P(ThroughALens, BlendedPlate, testing::Bool());
+
 }  // namespace glass_in_labels_test
 }  // namespace synthetic_dataset::render

@@ -102,7 +102,7 @@ LightingContext context() {
 }
 
 Vector3d found(const ClassicShading& shading, const Point& p) {
-  const Lanes3 result = shading.seen(lanesOf(p));
+  const Lanes3 result = shading.seen(lanesOf(p), shading.lights().all());
   return {result.x.get0(), result.y.get0(), result.z.get0()};
 }
 

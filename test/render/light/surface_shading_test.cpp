@@ -126,7 +126,8 @@ class SurfaceLight : public testing::Test {
            lanes(Eigen::Vector3f(p.base.cast<float>())), lanes(static_cast<float>(p.reflectance)),
            lanes(static_cast<float>(p.roughness)), lanes(static_cast<float>(p.metalness)),
            lanes(Eigen::Vector3f(p.glow.cast<float>())), lanes(1.0F),
-           p.is_lit ? lanes(0.0F) >= lanes(0.0F) : lanes(0.0F)});
+           p.is_lit ? lanes(0.0F) >= lanes(0.0F) : lanes(0.0F)},
+          shading.lights().all());
       const Vector3d found(result.x.get0(), result.y.get0(), result.z.get0());
       EXPECT_LT((found - seen(all, p)).cwiseAbs().maxCoeff(), 2e-4) << i;
     }
@@ -179,7 +180,8 @@ TEST_F(SurfaceLight, FromBehindIsNone) {
                               lanes(0.0F, 0.0F, 0.0F),
                               lanes(1.0F),
                               lanes(0.0F) >= lanes(0.0F)};
-  EXPECT_EQ(shading.seen(surfaces).x.get0(), without.seen(surfaces).x.get0());
+  const std::vector<std::size_t> all = shading.lights().all();
+  EXPECT_EQ(shading.seen(surfaces, all).x.get0(), without.seen(surfaces, all).x.get0());
 }
 
 TEST_F(SurfaceLight, FadesInFog) {

@@ -263,10 +263,34 @@ TEST(Lights, ThatShouldCastShadowsAndDoNotAreNoted) {
     lights[i].casts_shadow = true;
   }
   lights[0].type = world::LightType::kPoint;
-  EXPECT_THAT(shadowNotes(lights, LightDetail::kSimple),
+  EXPECT_THAT(lightNotes(lights, LightDetail::kSimple),
               ::testing::ElementsAre("light 'lamp0' casts no shadow: point lights do so with "
                                      "rendering/light: full alone"));
-  EXPECT_TRUE(shadowNotes(lights, LightDetail::kFull).empty());
+  EXPECT_TRUE(lightNotes(lights, LightDetail::kFull).empty());
+}
+
+TEST(Lights, OfAHallCountWhereTheyReach) {
+  world::Light lamp;
+  lamp.type = world::LightType::kPoint;
+  lamp.range = 1.9;
+  std::vector<world::Light> lights(300, lamp);
+  EXPECT_EQ(wallUnder(lights), 0);
+  lights[250].range = 2.1;
+  EXPECT_NEAR(wallUnder(lights), 128, 1);
+}
+
+TEST(Lights, OfWhichTooManyCastShadowsAreNoted) {
+  world::Light lamp;
+  lamp.type = world::LightType::kSpot;
+  lamp.casts_shadow = true;
+  std::vector<world::Light> lights(33, lamp);
+  EXPECT_THAT(lightNotes(lights, LightDetail::kSimple),
+              ::testing::ElementsAre("the world has 33 lights that cast shadows; the 32 strongest "
+                                     "do so"));
+  lights[3].range = 1.0;
+  const std::vector<std::size_t> strongest = strongestLights(lights, 32);
+  EXPECT_EQ(strongest.size(), 32U);
+  EXPECT_THAT(strongest, ::testing::Not(::testing::Contains(3U)));
 }
 
 }  // namespace surroundings_test
