@@ -7,7 +7,6 @@ pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
-pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
 
 # OpenGL on the processor: Mesa has had no OSMesa since 25.1, and EGL does without a display since 20.
 pkg_check_modules(OSMESA IMPORTED_TARGET osmesa)

@@ -40,7 +40,7 @@ MAY_INCLUDE = {
 # Folders within a room, each of which may include those before it, and what lies beside them all.
 INNER_ORDER = {
     'src/motion': ('ros2', 'bag', 'tf', 'recorded'),
-    'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'urdf', 'sdf'),
+    'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'sdf', 'urdf'),
     'src/render': ('pixels', 'sensor', 'weather', 'gl', 'parts', 'geometry', 'shadows', 'light', 'overlay',
                    'edges', 'lens', 'labels', 'picture'),
     'src/output': ('files', 'manifest', 'writers', 'verify'),
@@ -54,7 +54,6 @@ CONFINED = [
     ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
      {'src/world'}),
     ('Embree', re.compile(r'embree[34]/'), {'src/lidar'}),
-    ('urdfdom', re.compile(r'urdf_(model|parser|world)/'), {'src/world'}),
     ('assimp', re.compile(r'assimp/'), {'src/world'}),
     ('FreeImage', re.compile(r'FreeImage\.h$'), {'src/base'}),
     ('rosbag', re.compile(r'rosbag/'), {'src/motion', 'plugins'}),

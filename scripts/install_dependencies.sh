@@ -56,6 +56,14 @@ install_missing \
   python3-visualization-msgs \
   python3-setuptools python3-numpy python3-pil python3-matplotlib python3-jinja2 ffmpeg \
   libopencv-dev libeigen3-dev libbullet-dev $gl libyaml-cpp-dev \
-  libassimp-dev libfreeimage-dev liburdfdom-dev libsqlite3-dev \
+  libassimp-dev libfreeimage-dev libsqlite3-dev \
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev liblz4-dev libzstd-dev libssl-dev \
   nlohmann-json3-dev libmicrohttpd-dev libgtest-dev libgmock-dev "$@"
+
+# Debian has no xacro. PyPI's newest needs nothing but Python's YAML here (src/world/files/xacro.cpp).
+xacro_folder=${XDG_DATA_HOME:-$HOME/.local/share}/synthetic_dataset/xacro
+if ! python3 -c 'import xacro' 2>/dev/null && [ ! -d "$xacro_folder/xacro" ]; then
+  install_missing python3-pip python3-yaml
+  python3 -m pip install -q --no-deps --target "$xacro_folder" xacro==2.1.1 ||
+    echo "xacro could not be fetched, without which .xacro models are not read: python3 -m pip install --no-deps --target $xacro_folder xacro==2.1.1" >&2
+fi

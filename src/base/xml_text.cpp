@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <sstream>
 #include <string_view>
 
 namespace synthetic_dataset::base {
@@ -53,6 +55,86 @@ class AttributeCounter {
   std::size_t at_ = 0;
 };
 
+/// A document type, with the texts that it gives names ("entities"), as tinyxml2 knows none: those
+/// of the text itself are put in, each once, so that a text grows by no more than it says.
+class DocumentType {
+ public:
+  explicit DocumentType(const std::string& text) : text_(text), begin_(text.find('<')) {
+    // Only declarations and comments stand before the root element.
+    while (begin_ < text.size() && text.compare(begin_, kKeyword.size(), kKeyword) != 0) {
+      const char next = begin_ + 1 < text.size() ? text[begin_ + 1] : '\0';
+      const bool is_before_root = next == '?' || next == '!';
+      begin_ = is_before_root ? text.find('<', begin_ + 1) : std::string::npos;
+    }
+  }
+
+  [[nodiscard]] bool isThere() const { return begin_ < text_.size(); }
+
+  /// The text without it; lines keep their numbers.
+  [[nodiscard]] std::string taken() {
+    const std::size_t end = findEnd();
+    std::string result = text_;
+    for (std::size_t i = begin_; i < end; ++i) {
+      if (result[i] != '\n') result[i] = ' ';
+    }
+    readEntities(text_.substr(begin_, end - begin_));
+    for (std::size_t at = result.find('&', end); at != std::string::npos;
+         at = result.find('&', at + 1)) {
+      const std::size_t last = result.find(';', at);
+      const auto entity = last == std::string::npos
+                              ? entities_.end()
+                              : entities_.find(result.substr(at + 1, last - at - 1));
+      if (entity == entities_.end()) continue;
+      result.replace(at, last + 1 - at, entity->second);
+      at += entity->second.size() - (entity->second.empty() ? 0 : 1);
+      if (result.size() > kMostGrowth + text_.size()) return text_;  // which is refused then
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::string_view kKeyword = "<!DOCTYPE";
+  static constexpr std::size_t kMostGrowth = 10000000;  // [byte]
+
+  /// Behind the `>` that is in no brackets and no quotes.
+  [[nodiscard]] std::size_t findEnd() const {
+    int depth = 0;
+    for (std::size_t i = begin_; i < text_.size(); ++i) {
+      const char c = text_[i];
+      if (c == '"' || c == '\'') {
+        i = std::min(text_.find(c, i + 1), text_.size());
+      } else if (c == '[') {
+        ++depth;
+      } else if (c == ']') {
+        --depth;
+      } else if (c == '>' && depth <= 0) {
+        return i + 1;
+      }
+    }
+    return text_.size();
+  }
+
+  /// `<!ENTITY name "text">`; those in other files are left alone.
+  void readEntities(const std::string& type) {
+    const std::string keyword = "<!ENTITY";
+    for (std::size_t at = type.find(keyword); at != std::string::npos;
+         at = type.find(keyword, at + 1)) {
+      const std::size_t end = std::min(type.find('>', at), type.size());
+      std::istringstream words(type.substr(at + keyword.size(), end - at - keyword.size()));
+      std::string name;
+      char quote = 0;
+      std::string value;
+      if (!(words >> name >> quote) || (quote != '"' && quote != '\'')) continue;
+      std::getline(words, value, quote);
+      entities_.emplace(name, value);
+    }
+  }
+
+  const std::string& text_;
+  std::size_t begin_;
+  std::map<std::string, std::string> entities_;
+};
+
 }  // namespace
 
 std::string XmlFault::text() const {
@@ -60,7 +142,10 @@ std::string XmlFault::text() const {
          reason + ")";
 }
 
-std::optional<XmlFault> parseXml(tinyxml2::XMLDocument& document, const std::string& text) {
+std::optional<XmlFault> parseXml(tinyxml2::XMLDocument& document, const std::string& given) {
+  DocumentType type(given);
+  const std::string taken = type.isThere() ? type.taken() : "";
+  const std::string& text = type.isThere() ? taken : given;
   if (const int line = AttributeCounter(text).lineWithTooMany(); line > 0) {
     return XmlFault{line, "an element has more than 1000 attributes"};
   }

@@ -18,6 +18,7 @@ struct XmlFault {
 
 /// Reads XML; the only way to it, as a text may be anybody's. An element with more than 1000
 /// attributes is refused, since tinyxml2 compares each attribute with all before it.
+/// Entities that the text's own DOCTYPE defines are put in.
 /// @return nothing when `document` has the text
 [[nodiscard]] std::optional<XmlFault> parseXml(tinyxml2::XMLDocument& document,
                                                const std::string& text);

@@ -51,6 +51,17 @@ std::string frameByPattern(const std::string& pattern, const std::string& object
   return replaced(replaced(pattern, "{object}", object), "{link}", link);
 }
 
+bool isFrameOfLink(const std::string& frame, const std::string& link, const ObjectOptions& object) {
+  const std::string name = motion::withoutLeadingSlashes(frame);
+  const auto given = object.link_frames.by_link.find(link);
+  if (given != object.link_frames.by_link.end()) return name == given->second;
+  const std::string own = replaced(link, "::", "/");
+  const std::size_t slash = object.frame.rfind('/');
+  const std::string prefix = slash == std::string::npos ? "" : object.frame.substr(0, slash + 1);
+  return name == frameByPattern(object.link_frames.pattern, object.name, own) ||
+         name == prefix + own || name == own;
+}
+
 std::optional<std::size_t> linkNamedBy(const std::string& frame, const world::Model& model,
                                        const std::vector<std::size_t>& links) {
   const std::string name = motion::withoutLeadingSlashes(frame);

@@ -20,6 +20,11 @@ namespace synthetic_dataset::scene {
 [[nodiscard]] std::string frameByPattern(const std::string& pattern, const std::string& object,
                                          const std::string& link);
 
+/// Whether a frame's name means this link of an object's model: by its `link_frames`, below the
+/// same prefix as the object's own frame, or by the link's name alone.
+[[nodiscard]] bool isFrameOfLink(const std::string& frame, const std::string& link,
+                                 const ObjectOptions& object);
+
 /// The one of these links after which a frame is named, alone or below a prefix: "base_link",
 /// "rover_1/base_link".
 [[nodiscard]] std::optional<std::size_t> linkNamedBy(const std::string& frame,

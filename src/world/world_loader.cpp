@@ -70,11 +70,21 @@ fs::path xacroName(const fs::path& file, const XacroArguments& arguments) {
   return file.parent_path() / name;
 }
 
+Description describeUrdf(const SdfFile& file, SdfReading& reading) {
+  Description description;
+  if (reading.survey != nullptr) return description;  // it is read at once
+  UrdfModel robot = readUrdfModel(file, reading);
+  description.models.push_back(std::move(robot.model));
+  description.cameras = std::move(robot.cameras);
+  return description;
+}
+
 Description describe(const SdfFile& file, SdfReading& reading) {
   const Element root(&file.root(), &file);
   const SourceLocation location(file.path.string());
   reading.is_of_gz |= file.is_of_gz;
   if (file.odd) reading.findings.addNote(file.path.string() + ": " + *file.odd);
+  if (file.is_urdf) return describeUrdf(file, reading);
   if (const Element world = root.child("world")) return readWorld(world, reading);
   if (root.has("model") || root.has("light") || root.has("actor") || root.has("include"))
     return readWorld(root, reading);
@@ -116,29 +126,16 @@ Description WorldLoader::loadFile(const std::string& uri, const XacroArguments& 
     }
     return caches_->sdf_files.readText(name, text->second);
   });
-  return parsed.is_urdf ? loadUrdf({file.string(), file.parent_path(), parsed.text})
-                        : loadSdf(parsed);
-}
-
-Description WorldLoader::loadUrdf(const ModelText& source) {
-  Findings findings;
-  findings.on_missing_asset = options_.on_missing_asset;
-  UrdfReading reading{source, finder_, caches_->meshes, caches_->shapes, findings};
-  Description description;
-  description.simulator = options_.simulator.value_or(Simulator::kClassic);
-  description.models.push_back(readUrdfModel(reading));
-  for (const std::string& note : caches_->meshes.takeNotes()) findings.addNote(note);
-  findings.throwErrors();
-  description.notes = std::move(findings.notes);
-  return description;
+  return load(parsed);
 }
 
 /// What is missing is found first, before anything large is read; then all meshes and pictures are
 /// read side by side.
-Description WorldLoader::loadSdf(const SdfFile& file) {
+Description WorldLoader::load(const SdfFile& file) {
   Findings findings;
   findings.on_missing_asset = options_.on_missing_asset;
-  SdfReading reading{finder_, caches_->meshes, caches_->shapes, caches_->sdf_files, findings};
+  SdfReading reading{finder_,  caches_->meshes, caches_->shapes, caches_->sdf_files,
+                     findings, readUrdfModel};
   SdfSurvey survey;
   reading.survey = &survey;
   static_cast<void>(describe(file, reading));
@@ -161,9 +158,8 @@ Description WorldLoader::loadSdf(const SdfFile& file) {
 Description WorldLoader::loadText(const std::string& text, const std::string& name) {
   const SdfFile& parsed =
       parsedFile([&]() -> const SdfFile& { return caches_->sdf_files.readText(name, text); });
-  if (parsed.is_urdf) return loadUrdf({name, std::nullopt, text});
   try {
-    return loadSdf(parsed);
+    return load(parsed);
   } catch (const ErrorList& errors) {
     std::vector<std::string> messages = errors.messages();
     for (std::string& message : messages) {

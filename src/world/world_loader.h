@@ -9,8 +9,8 @@
 #include "base/stages.h"
 #include "world/description.h"
 #include "world/files/resource_finder.h"
+#include "world/files/xacro.h"
 #include "world/urdf/urdf_text.h"
-#include "world/urdf/xacro.h"
 #include "world/world_options.h"
 
 namespace synthetic_dataset::world {
@@ -61,8 +61,7 @@ class WorldLoader {
   struct Caches;
 
   [[nodiscard]] Description loadFile(const std::string& uri, const XacroArguments& arguments);
-  [[nodiscard]] Description loadUrdf(const ModelText& source);
-  [[nodiscard]] Description loadSdf(const SdfFile& file);
+  [[nodiscard]] Description load(const SdfFile& file);
   [[nodiscard]] Description loadText(const std::string& text, const std::string& name);
 
   const ResourceFinder& finder_;

@@ -65,7 +65,7 @@ TEST_P(ReferenceFiles, LoadAsTheyAreOrNameWhatIsAbsent) {
     const auto absent = complaints(file, finder, world::OnMissingAsset::kError);
     (absent.empty() ? as_is : with_warn)++;
     if (isTorn(file)) continue;
-    // Torn meshes and models cannot be read, and urdfdom wants three numbers for a scale.
+    // Torn meshes and models cannot be read, and a scale has three numbers.
     EXPECT_THAT(absent, Each(AnyOf(HasSubstr("no such file"), HasSubstr("not there"),
                                    HasSubstr("is missing"), HasSubstr("are missing"),
                                    HasSubstr("cannot be read"), HasSubstr("could not be parsed"))))

@@ -2,13 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include "support/bag_builder.h"
 #include "support/error_messages.h"
 #include "support/fake_frame_source.h"
+#include "support/temporary_folder.h"
 
 namespace synthetic_dataset::scene {
 namespace camera_rig_test {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 /// A camera of a world, whose file says that it sees from 0.2 to 30 m.
@@ -60,6 +63,61 @@ TEST(CameraRig, FollowsItsFrameWhereThereIsOne) {
   const CameraRig rig = makeCameraRig(config, {}, {eye()}, {}, {}, frames, diagnostics);
   EXPECT_TRUE(rig.followsFrame());
   EXPECT_EQ(rig.followed, frames.find("mast/eye"));
+}
+
+/// The link of an object "rover", whose frame is "rover/base_link".
+struct Mast {
+  Mast() {
+    link.name = "mast";
+    link.X_ML = test::poseAt(0.5, 0, 1);
+    rover.name = "rover";
+    rover.frame = "rover/base_link";
+    links.push_back({&link, world::Role::kObject, 0, "rover"});
+  }
+
+  [[nodiscard]] CameraRig rigOf(const CameraOptions& config) const {
+    base::Diagnostics diagnostics;
+    return makeCameraRig(config, {}, {eye()}, links, {rover}, test::FakeFrameSource(), diagnostics);
+  }
+
+  world::Link link;
+  ObjectOptions rover;
+  std::vector<world::LinkInstance> links;
+};
+
+TEST(CameraRig, RidesOnALinkThatTheRecordingHasNoFrameOf) {
+  const test::TemporaryFolder folder;
+  CameraOptions config;
+  config.near = 0.1;
+  config.far = 50.0;
+  config.info_file =
+      folder
+          .write("c.yaml",
+                 "image_width: 64\nimage_height: 48\ncamera_matrix: {rows: 3, cols: 3, data: [50, "
+                 "0, 32, 0, 50, 24, 0, 0, 1]}\n")
+          .string();
+  for (const char* frame : {"rover/mast", "/rover/mast", "mast"}) {
+    config.frame = frame;
+    const CameraRig rig = Mast().rigOf(config);
+    EXPECT_EQ(rig.link, 0U) << frame;
+    EXPECT_FALSE(rig.followsFrame());
+  }
+  config.frame = "rover/most";
+  EXPECT_THAT(test::messagesOf([&] { (void)Mast().rigOf(config); }),
+              ElementsAre(HasSubstr("or a link of an object's model")));
+}
+
+TEST(CameraRig, TakesTheOnlyCameraThatIsCalledAlike) {
+  CameraOptions config;
+  config.sensor = "mast::base_link::eye";
+  base::Diagnostics diagnostics;
+  (void)makeCameraRig(config, {}, {eye()}, {}, {}, test::FakeFrameSource(), diagnostics);
+  EXPECT_THAT(diagnostics.messages(base::Severity::kNote),
+              ElementsAre(HasSubstr("is taken for 'mast::link::eye'")));
+  config.sensor = "mast::link::ear";
+  EXPECT_THAT(test::messagesOf([&] { (void)rigOf(config); }),
+              ElementsAre(HasSubstr("has a camera 'mast::link::ear' (model::link::sensor); there "
+                                    "are mast::link::eye")));
 }
 
 }  // namespace camera_rig_test

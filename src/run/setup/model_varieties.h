@@ -10,7 +10,7 @@
 #include "scene/object_options.h"
 #include "scene/object_variants.h"
 #include "world/description.h"
-#include "world/urdf/xacro.h"
+#include "world/files/xacro.h"
 
 namespace synthetic_dataset::run {
 

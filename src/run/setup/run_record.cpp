@@ -86,8 +86,7 @@ std::map<std::string, std::string> softwareVersions() {
   versions.insert({{"synthetic_dataset", SYNTHETIC_DATASET_VERSION},
                    {"assimp", ASSIMP_VERSION},
                    {"bullet", BULLET_VERSION},
-                   {"opencv", OPENCV_VERSION},
-                   {"urdfdom", URDFDOM_VERSION}});
+                   {"opencv", OPENCV_VERSION}});
   return versions;
 }
 

@@ -15,7 +15,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/value.h"
 #include "world/files/findings.h"
-#include "world/urdf/xacro.h"
+#include "world/files/xacro.h"
 
 namespace synthetic_dataset::run {
 namespace {

@@ -32,7 +32,10 @@ struct Uri {
 Uri parse(const std::string& text) {
   const std::size_t end = text.find("://");
   if (end == std::string::npos) return {"", text};
-  return {text.substr(0, end), text.substr(end + 3)};
+  const std::string rest = text.substr(end + 3);
+  const bool is_twice = text.substr(0, end) == "file" && rest.find("://") != std::string::npos;
+  if (is_twice) return parse(rest);  // "file://$(find pkg)/x" has become "file://package://pkg/x"
+  return {text.substr(0, end), rest};
 }
 
 /// Absolute, and without `.`, `..` or a slash at the end, so that messages read well.
@@ -66,6 +69,21 @@ std::optional<fs::path> ownModel(const std::string& wanted, const fs::path& fold
     const bool same = folderName(model.filename().string()) == name ||
                       folderName(model.parent_path().filename().string()) == name;
     return same ? std::optional(model) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The package of a name that `folder` is in, or that lies beside that one: of a workspace that
+/// nobody has sourced.
+std::optional<fs::path> ownPackage(const std::string& name, const fs::path& folder) {
+  if (name.empty() || name == "..") return std::nullopt;
+  for (fs::path own = folder; own.has_relative_path(); own = own.parent_path()) {
+    std::error_code ignored;
+    if (!fs::exists(own / "package.xml", ignored)) continue;
+    for (const fs::path& each : {own, own.parent_path() / name}) {
+      if (each.filename() == name && fs::exists(each / "package.xml", ignored)) return each;
+    }
+    return std::nullopt;
   }
   return std::nullopt;
 }
@@ -175,6 +193,8 @@ ResourceFinder::Candidates ResourceFinder::candidates(const std::string& uri,
   } else if (parts.scheme == "package") {
     addPackage(parts.rest, result);
     addModel(parts.rest, model_folders_, result);
+    const auto [name, inner] = splitName(parts.rest);
+    if (const auto package = ownPackage(name, folder)) result.addIn(*package, inner);
   } else if (parts.scheme.empty() || parts.scheme == "file") {
     const fs::path path = folder / parts.rest;  // an absolute `rest` replaces the folder
     result.add(path, path);

@@ -1,4 +1,4 @@
-#include "world/urdf/xacro.h"
+#include "world/files/xacro.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,20 +19,52 @@ namespace {
 constexpr int kNotThere = 127;  ///< how programs end that are not there
 
 /// xacro's own program, which its Python module has as a function. What ROS 2 calls
-/// `$(find-pkg-share package)` is `$(find package)` to it.
-constexpr const char* kModule =
-    "import sys\n"
-    "try:\n"
-    "    import xacro\n"
-    "except ImportError:\n"
-    "    sys.exit(127)\n"
-    "sys.argv[0] = 'xacro'\n"
-    "evaluate = getattr(xacro, 'eval_extension', None)\n"
-    "def evaluated(text):\n"
-    "    return evaluate(text.replace('$(find-pkg-share ', '$(find ', 1))\n"
-    "if evaluate is not None:\n"
-    "    xacro.eval_extension = evaluated\n"
-    "xacro.main()\n";
+/// `$(find-pkg-share package)` is `$(find package)` to it. Its newest version, which PyPI has, asks
+/// ROS 2's index for packages; where that is not there, those of ROS_PACKAGE_PATH are meant.
+constexpr const char* kModule = R"py(
+import os
+import sys
+import types
+
+home = os.environ.get('XDG_DATA_HOME') or os.path.expanduser('~/.local/share')
+sys.path.append(os.path.join(home, 'synthetic_dataset', 'xacro'))
+try:
+    import xacro
+except ImportError:
+    sys.exit(127)
+
+def folder_of(name):
+    places = [each for each in os.environ.get('ROS_PACKAGE_PATH', '').split(os.pathsep) if each]
+    for place in places:
+        for found in (place, os.path.join(place, name)):
+            if os.path.basename(found) == name and os.path.isfile(os.path.join(found, 'package.xml')):
+                return found
+    for place in places:
+        for found, below, files in os.walk(place):
+            if 'package.xml' not in files:
+                continue
+            below[:] = []
+            if os.path.basename(found) == name:
+                return found
+    raise KeyError('no package ' + name + ' in ROS_PACKAGE_PATH')
+
+try:
+    import ament_index_python.packages
+except ImportError:
+    index = types.ModuleType('ament_index_python')
+    index.packages = types.ModuleType('ament_index_python.packages')
+    index.packages.get_package_share_directory = folder_of
+    sys.modules['ament_index_python'] = index
+    sys.modules['ament_index_python.packages'] = index.packages
+
+sys.argv[0] = 'xacro'
+evaluate = getattr(xacro, 'eval_extension', None)
+def evaluated(text):
+    return evaluate(text.replace('$(find-pkg-share ', '$(find ', 1))
+if evaluate is not None:
+    xacro.eval_extension = evaluated
+xacro.main()
+)py";
 
 /// Robots take a second or two.
 constexpr std::chrono::seconds kLongest{60};
@@ -63,13 +95,25 @@ std::string lastLines(const std::string& text) {
   return "... " + whole.substr(cut == std::string::npos ? whole.size() - kMost : cut + 1);
 }
 
+/// The folder of the package that a file is in; empty for one that is in none.
+std::filesystem::path packageAround(const std::filesystem::path& file) {
+  std::error_code ignored;
+  for (std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
+       folder.has_relative_path(); folder = folder.parent_path()) {
+    if (std::filesystem::exists(folder / "package.xml", ignored)) return folder;
+  }
+  return {};
+}
+
 /// @return nothing where there is no such program
 std::optional<std::string> run(std::vector<std::string> command,
                                const std::vector<std::string>& words) {
   command.insert(command.end(), words.begin(), words.end());
-  if (std::getenv("AMENT_PREFIX_PATH") != nullptr) {  // so that packages of ROS 2 are found
-    command.insert(command.begin(), {"env", "ROS_PACKAGE_PATH=" + base::rosPackagePath()});
-  }
+  // So that packages of ROS 2 are found, and that of the file with those beside it.
+  std::string packages = base::rosPackagePath();
+  const std::filesystem::path own = packageAround(words.front());
+  if (!own.empty()) packages += (packages.empty() ? "" : ":") + own.parent_path().string();
+  if (!packages.empty()) command.insert(command.begin(), {"env", "ROS_PACKAGE_PATH=" + packages});
   base::SandboxLimits limits;
   limits.processor_time = kLongest;
   const auto answer = base::runSandboxedProgram(command, limits);
@@ -96,7 +140,9 @@ std::string expandXacro(const std::filesystem::path& file, const XacroArguments&
     try {
       if (auto text = run({"xacro"}, words)) return *text;
     } catch (const Error& error) {
-      const bool is_of_ros2 = std::string(error.what()).find("find-pkg-share") != std::string::npos;
+      const std::string what = error.what();
+      const bool is_of_ros2 = what.find("find-pkg-share") != std::string::npos ||
+                              what.find("ament_index_python") != std::string::npos;
       const auto text = is_of_ros2 ? runModule() : std::nullopt;
       if (!text) throw;
       return *text;
@@ -108,7 +154,9 @@ std::string expandXacro(const std::filesystem::path& file, const XacroArguments&
   throw Error(file.string() +
               ": is a xacro file, and there is no xacro to expand it, neither the program on PATH "
               "nor the Python module. Install it (ROS Noetic: apt install ros-noetic-xacro; "
-              "elsewhere: pip install xacro), or run '" +
+              "elsewhere: python3 -m pip install --no-deps --target "
+              "~/.local/share/synthetic_dataset/xacro xacro, as scripts/install_dependencies.sh "
+              "does), or run '" +
               shown(words) + " > robot.urdf' where it is, and name robot.urdf");
 }
 

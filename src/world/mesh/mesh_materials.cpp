@@ -190,6 +190,7 @@ class GltfReader {
     if (const auto diffuse = colour(from_, "$clr.diffuse")) {
       material().diffuse = withAlpha(encoded(rgb(*diffuse)), unit(diffuse->a));
     }
+    material().ambient = material().diffuse.head<3>();  // Classic's, which glTF does not have
     if (const auto emissive = colour(from_, "$clr.emissive")) {
       material().emissive = encoded(rgb(*emissive));
     }

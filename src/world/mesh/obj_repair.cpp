@@ -1,6 +1,7 @@
 #include "world/mesh/obj_repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -63,6 +64,41 @@ std::string eachLine(const std::string& text, const Treat& treat) {
   return result;
 }
 
+/// Whether a line begins with a keyword: "vt 0 1".
+bool isOf(std::string_view line, std::string_view keyword) {
+  return startsWith(line, keyword) && line.size() > keyword.size() && isBlank(line[keyword.size()]);
+}
+
+bool hasLineOf(std::string_view keyword, const std::string& text) {
+  bool has_one = false;
+  eachLine(text,
+           [&](std::string_view line, std::string&) { has_one = has_one || isOf(line, keyword); });
+  return has_one;
+}
+
+/// A face's corners "1/2/3" without the indices of what the file does not have: "1//3", "1".
+/// @param keeps  whether it has texture coordinates, and normals
+void appendCorners(std::string_view line, const std::array<bool, 2>& keeps, std::string& to) {
+  std::size_t slash = 0;  // in this corner
+  std::string pending;    // slashes after which nothing has come
+  for (const char c : line) {
+    if (c == '/') {
+      ++slash;
+      pending += c;
+      continue;
+    }
+    if (isBlank(c)) {
+      slash = 0;
+      pending.clear();
+    } else if (slash > 0 && (slash > keeps.size() || !keeps[slash - 1])) {
+      continue;
+    }
+    to += pending;
+    pending.clear();
+    to += c;
+  }
+}
+
 /// What stands behind a keyword, on each line that begins with it.
 std::vector<std::string> namesAfter(std::string_view keyword, const std::string& text) {
   std::vector<std::string> names;
@@ -76,9 +112,13 @@ std::vector<std::string> namesAfter(std::string_view keyword, const std::string&
 }  // namespace
 
 std::string repairedObj(const std::string& text) {
-  return eachLine(text, [](std::string_view line, std::string& to) {
+  const std::array<bool, 2> keeps = {hasLineOf("vt", text), hasLineOf("vn", text)};
+  const bool has_all = keeps[0] && keeps[1];
+  return eachLine(text, [&](std::string_view line, std::string& to) {
     if (!line.empty() && line.front() == 'v') {
       appendNumbers(line, to);
+    } else if (!has_all && isOf(line, "f")) {
+      appendCorners(line, keeps, to);
     } else {
       to += line;
     }

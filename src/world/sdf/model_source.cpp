@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "world/urdf/urdf_models.h"
-
 namespace synthetic_dataset::world {
 namespace {
 
@@ -29,10 +27,8 @@ void addOwnFrames(ModelSource& source, SdfReading& reading) {
 /// A URDF says what its links are called only when it has been read.
 void readUrdfSource(ModelSource& source, SdfReading& reading) {
   const SdfFile& file = source.element.file();
-  const ModelText text{file.path.string(), file.path.parent_path(), file.text};
-  UrdfReading urdf{text, reading.finder, reading.meshes, reading.shapes, reading.findings};
-  source.urdf = std::make_shared<Model>(readUrdfModel(urdf));
-  for (const Link& link : source.urdf->links) {
+  source.urdf = std::make_shared<UrdfModel>(reading.readUrdf(file, reading));
+  for (const Link& link : source.urdf->model.links) {
     source.frames.add(link.name, {link.X_ML, ""}, "", source.location);
   }
 }

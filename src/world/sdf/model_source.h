@@ -69,8 +69,8 @@ struct ModelSource {
   bool has_gaps = false;            ///< a model in it is missing, which has been reported
   std::vector<ModelSource> models;  ///< those within it, in the order of the file
   SourceLocation location{""};
-  SdfFrames frames;                   ///< the names in it; filled by fillFrames
-  std::shared_ptr<const Model> urdf;  ///< what a URDF holds; filled by fillFrames
+  SdfFrames frames;                       ///< the names in it; filled by fillFrames
+  std::shared_ptr<const UrdfModel> urdf;  ///< what a URDF holds; filled by fillFrames
 };
 
 /// Where a model stands, by its own frame.

@@ -85,21 +85,27 @@ bool isPinhole(const std::string& type) {
 
 }  // namespace
 
-std::optional<CameraSensor> readCamera(const Element& sensor, const std::string& name,
-                                       const Pose& X_WL, const Pose& X_LS,
-                                       const SourceLocation& location, SdfReading& reading) {
+std::vector<CameraSensor> readCameras(const Element& sensor, const std::string& name,
+                                      const Pose& X_WL, const Pose& X_LS,
+                                      const SourceLocation& location, SdfReading& reading) {
   const std::string type = readText(sensor, "type");
   const bool wide_angle = type == "wideanglecamera" || type == "wide_angle_camera";
-  const Element camera = sensor.child("camera");
-  if (!camera || !(wide_angle || isPinhole(type))) return std::nullopt;
-  try {
-    const CameraReader reader(camera, location, reading);
-    const Pose X_LC = X_LS * readPose(camera, location, reading).pose * opticalInBody();
-    return CameraSensor{name, X_WL * X_LC, reader.model(wide_angle), reader.noise(), "", X_LC};
-  } catch (const Error& error) {
-    reading.findings.addNote(location, std::string(error.what()) + "; the camera is left out");
+  const bool is_several = type == "multicamera";
+  std::vector<CameraSensor> cameras;
+  if (!(wide_angle || is_several || isPinhole(type))) return cameras;
+  for (const Element& camera : sensor.children("camera")) {
+    const SourceLocation here = is_several ? locationOf(camera, location) : location;
+    try {
+      const CameraReader reader(camera, here, reading);
+      const Pose X_LC = X_LS * readPose(camera, here, reading).pose * opticalInBody();
+      cameras.push_back({is_several ? name + "::" + camera.attribute("name") : name, X_WL * X_LC,
+                         reader.model(wide_angle), reader.noise(), "", X_LC});
+    } catch (const Error& error) {
+      reading.findings.addNote(here, std::string(error.what()) + "; the camera is left out");
+    }
+    if (!is_several) break;
   }
-  return std::nullopt;
+  return cameras;
 }
 
 }  // namespace synthetic_dataset::world

@@ -1,11 +1,15 @@
 #include "world/sdf/sdf_file.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <utility>
 
 #include "base/input_file.h"
 #include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
+#include "world/files/text.h"
+#include "world/files/xacro.h"
 #include "world/sdf/gz_plugins.h"
 #include "world/sdf/xml_repair.h"
 
@@ -13,13 +17,6 @@ namespace synthetic_dataset::world {
 namespace {
 
 namespace fs = std::filesystem;
-
-void readXml(const std::string& text, SdfFile& file) {
-  const auto fault = base::parseXml(file.document, text);
-  if (!fault || !base::parseXml(file.document, repairedXml(text))) return;
-  const std::string of_text = base::textFault(text);
-  throw Error(file.path.string() + ": " + (of_text.empty() ? fault->text() : of_text));
-}
 
 /// SDF's oldest versions call their root <gazebo>.
 void readRoot(SdfFile& file) {
@@ -64,17 +61,84 @@ bool hasPluginOfGz(const tinyxml2::XMLDocument& document) {
   return search.found;
 }
 
+/// What a file is that a program has to expand first: "xacro's"; nothing where it is none.
+/// @param text  of one of its elements or attributes
+const char* templateOf(const std::string& text) {
+  if (text.find("${") != std::string::npos) return "xacro's";
+  const bool is_jinjas =
+      text.find("{{") != std::string::npos || text.find("{%") != std::string::npos;
+  return is_jinjas ? "Jinja's" : nullptr;
+}
+
+/// Looks for what is left of a template, outside of plugins, whose settings may hold anything.
+class TemplateSearch : public tinyxml2::XMLVisitor {
+ public:
+  bool VisitEnter(const tinyxml2::XMLElement& element,
+                  const tinyxml2::XMLAttribute* attribute) override {
+    const std::string name = element.Name();
+    if (name.rfind("xacro:", 0) == 0) take("xacro's", name, element.GetLineNum());
+    for (; attribute != nullptr; attribute = attribute->Next()) {
+      take(templateOf(attribute->Value()), attribute->Value(), attribute->GetLineNum());
+    }
+    return found.empty() && name != "plugin";
+  }
+
+  bool Visit(const tinyxml2::XMLText& text) override {
+    take(templateOf(text.Value()), text.Value(), text.GetLineNum());
+    return found.empty();
+  }
+
+  std::string found;
+
+ private:
+  void take(const char* whose, const std::string& what, int line) {
+    if (whose == nullptr || !found.empty()) return;
+    found = "line " + std::to_string(line) + ": '" + trimmed(what) + "' is " + whose +
+            (std::string(whose) == "xacro's"
+                 ? ", which expands it where the file's name ends in .xacro"
+                 : ": the file is a template, and what Jinja makes of it should be named");
+  }
+};
+
+/// Names a template of ERB (`<% %>`), which is no XML.
+std::string erbFault(const std::string& text) {
+  const std::size_t at = text.find("<%");
+  if (at == std::string::npos) return "";
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  return "line " + std::to_string(line) +
+         ": '<%' is ERB's: the file is a template; `erb FILE > world.sdf` makes a world of it";
+}
+
 std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {
   auto file = std::make_unique<SdfFile>();
   file->path = name;
-  readXml(text, *file);
+  try {
+    readXml(text, *file);
+  } catch (const Error&) {
+    const std::string fault = erbFault(text);
+    if (fault.empty()) throw;
+    throw Error(name.string() + ": " + fault);
+  }
   readRoot(*file);
+  if (!file->is_urdf) {
+    TemplateSearch search;
+    file->document.Accept(&search);
+    if (!search.found.empty()) throw Error(name.string() + ": " + search.found);
+  }
   file->is_of_gz = !file->is_urdf && hasPluginOfGz(file->document);
   if (file->is_urdf) file->text = std::move(text);
   return file;
 }
 
 }  // namespace
+
+void readXml(const std::string& text, SdfFile& file) {
+  const auto fault = base::parseXml(file.document, text);
+  if (!fault || !base::parseXml(file.document, repairedXml(text))) return;
+  const std::string of_text = base::textFault(text);
+  throw Error(file.path.string() + ": " + (of_text.empty() ? fault->text() : of_text));
+}
 
 bool isSdfVersion(const std::string& text) {
   const std::size_t point = text.find('.');
@@ -93,7 +157,8 @@ SdfVersion parseSdfVersion(const char* text) {
 }
 
 const SdfFile& SdfFiles::read(const fs::path& file) {
-  return keep(file.string(), file, [&] { return base::readInput(file); });
+  return keep(file.string(), file,
+              [&] { return isXacro(file) ? expandXacro(file, {}) : base::readInput(file); });
 }
 
 const SdfFile& SdfFiles::readText(const fs::path& name, const std::string& text) {

@@ -28,7 +28,7 @@ inline constexpr SdfVersion kNewestSdfVersion{1, 12};
 /// A parsed file of SDF or URDF.
 struct SdfFile {
   std::filesystem::path path;  ///< or a name for messages, of what is in no file
-  std::string text;            ///< of a URDF file alone, which urdfdom parses itself
+  std::string text;  ///< of a URDF file alone, of which parts are resolved before it is read
   tinyxml2::XMLDocument document;
   SdfVersion version{1, 6};        ///< of the root; none is taken for 1.6
   std::optional<std::string> odd;  ///< what is odd about the root: "line 2: <sdf> has no version"
@@ -38,12 +38,17 @@ struct SdfFile {
   [[nodiscard]] const tinyxml2::XMLElement& root() const { return *document.RootElement(); }
 };
 
+/// Parses a text, repaired where need be, into the file's document.
+/// @throws Error if it is no XML even then
+void readXml(const std::string& text, SdfFile& file);
+
 /// Parses each file once.
 class SdfFiles {
  public:
   /// @throws Error if it is not a regular file, not XML even when repaired, or neither SDF nor
   /// URDF:
   ///     "world.sdf: line 2: cannot be read as XML (...)"
+  ///     A template that is left as it is says so; a xacro file is read as what xacro makes of it.
   [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
 
   /// Parses a text that is in no file.

@@ -152,11 +152,11 @@ class ModelReader {
     }
     for (const Element& sensor : from.children("sensor")) {
       const SourceLocation here = locationOf(sensor, location);
-      auto camera = readCamera(sensor, scope + sensor.attribute("name"), X_WL,
-                               poseIn(context, sensor, here), here, reading_);
-      if (!camera) continue;
-      camera->link = context.link.name;
-      contents.cameras.push_back(std::move(*camera));
+      for (CameraSensor& camera : readCameras(sensor, scope + sensor.attribute("name"), X_WL,
+                                              poseIn(context, sensor, here), here, reading_)) {
+        camera.link = context.link.name;
+        contents.cameras.push_back(std::move(camera));
+      }
     }
   }
 
@@ -180,14 +180,27 @@ class ModelReader {
     return saved == saved_->X_WL.end() ? X_ML : contents.model.X_WM.inverse() * saved->second;
   }
 
-  void addUrdf(const Model& urdf, const Pose& X_MN, const std::string& prefix) {
+  void addUrdf(const UrdfModel& urdf, const Pose& X_MN, const std::string& prefix) {
     const std::size_t first = contents.model.links.size();
-    for (Link link : urdf.links) {
+    for (Link link : urdf.model.links) {
       link.name = prefix + link.name;
       link.X_ML = poseOf(link.name, X_MN * link.X_ML);
       if (link.parent) *link.parent += first;
       if (!link.moving_joint.empty()) link.moving_joint = prefix + link.moving_joint;
       contents.model.links.push_back(std::move(link));
+    }
+    const auto isAdded = [&](const std::string& name) {
+      return [name](const Link& link) { return link.name == name; };
+    };
+    for (CameraSensor camera : urdf.cameras) {
+      camera.link = prefix + camera.link;
+      const std::vector<Link>& links = contents.model.links;
+      const auto carrier = std::find_if(links.begin() + static_cast<std::ptrdiff_t>(first),
+                                        links.end(), isAdded(camera.link));
+      camera.name =
+          contents.model.name + "::" + prefix + camera.name.substr(camera.name.find("::") + 2);
+      camera.X_WC = contents.model.X_WM * carrier->X_ML * camera.X_LC;
+      contents.cameras.push_back(std::move(camera));
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,17 @@ struct SdfSurvey {
   }
 };
 
+struct SdfReading;
+
+/// A robot that a URDF file describes.
+struct UrdfModel {
+  Model model;
+  std::vector<CameraSensor> cameras;
+};
+
+/// Reads a URDF file, readUrdfModel().
+using UrdfReader = std::function<UrdfModel(const SdfFile& file, SdfReading& reading)>;
+
 /// What reading SDF needs and brings to light. One rule holds for all elements: what this program
 /// does not use is not looked at; what it uses and cannot understand costs that alone (a default
 /// takes its place, or its shape is left out), with a note that says file, line, what was found and
@@ -36,6 +48,7 @@ struct SdfReading {
   ShapeCache& shapes;
   SdfFiles& files;
   Findings& findings;
+  UrdfReader readUrdf;    ///< of the URDF files that are included
   bool is_of_gz = false;  ///< something was found that only gz-sim has
 
   /// Where set, meshes and pictures are looked for and listed but not read: what is missing is

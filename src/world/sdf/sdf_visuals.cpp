@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "synthetic_dataset/errors.h"
+#include "world/mesh/mesh_materials.h"
 #include "world/sdf/sdf_geometry.h"
 #include "world/sdf/sdf_materials.h"
 #include "world/sdf/sdf_values.h"
@@ -12,6 +13,13 @@
 
 namespace synthetic_dataset::world {
 namespace {
+
+std::shared_ptr<const Mesh> withoutColours(const std::shared_ptr<const Mesh>& mesh) {
+  if (mesh->colours.empty()) return mesh;
+  Mesh plain = *mesh;
+  plain.colours.clear();
+  return std::make_shared<Mesh>(std::move(plain));
+}
 
 MissingPicture missingPictureIn(const SourceLocation& location, SdfReading& reading) {
   return [&](const std::string& message) { reading.missing(location, message); };
@@ -49,7 +57,7 @@ struct SurfaceMaker {
     return one(planeMesh(plane.normal, plane.size));
   }
   std::vector<Surface> operator()(const MeshRequest& request) const {
-    return meshSurfaces(request, material, location, reading);
+    return meshSurfaces(request, material, std::nullopt, location, reading);
   }
   std::vector<Surface> operator()(const Extrusion& extrusion) const {
     return one(extrudedMesh(extrusion));
@@ -75,15 +83,26 @@ float readTransparency(const Element& visual, const SourceLocation& location, Sd
 
 std::vector<Surface> meshSurfaces(const MeshRequest& request,
                                   const std::optional<Material>& material,
+                                  const std::optional<Material>& fallback,
                                   const SourceLocation& location, SdfReading& reading) {
   const MissingPicture missing = missingPictureIn(location, reading);
+  const bool is_stl = extensionOf(request.file) == ".stl";
   std::vector<Surface> surfaces;
   for (const MeshPiece& piece : reading.meshes.pieces(request)) {
-    surfaces.push_back(
-        {piece.mesh,
-         material ? *material : reading.meshes.material(request, piece.material, missing)});
+    const bool is_bare = reading.meshes.isMadeUp(request.file, piece.material);
+    const std::optional<Material>& given = material || !is_bare ? material : fallback;
+    if (!given) {
+      surfaces.push_back({piece.mesh, reading.meshes.material(request, piece.material, missing)});
+    } else {
+      surfaces.push_back({is_stl ? withoutColours(piece.mesh) : piece.mesh, *given});
+    }
   }
   return surfaces;
+}
+
+std::vector<Surface> surfacesOf(const Geometry& geometry, const std::optional<Material>& material,
+                                const SourceLocation& location, SdfReading& reading) {
+  return std::visit(SurfaceMaker{material, location, reading}, geometry);
 }
 
 std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& scale,
@@ -101,7 +120,7 @@ std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& s
     return std::nullopt;
   }
   try {
-    result.surfaces = std::visit(SurfaceMaker{material, location, reading}, *geometry);
+    result.surfaces = surfacesOf(*geometry, material, location, reading);
   } catch (const Error& error) {
     reading.missing(location, error.what());
   }

@@ -68,7 +68,7 @@ Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
   Visual visual;
   visual.name = "skin";
   try {
-    visual.surfaces = meshSurfaces(request, std::nullopt, location, reading);
+    visual.surfaces = meshSurfaces(request, std::nullopt, std::nullopt, location, reading);
   } catch (const Error& error) {
     reading.missing(location, error.what());
   }

@@ -1,165 +1,264 @@
 #include "world/urdf/urdf_models.h"
 
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include "world/material/gazebo_materials.h"
-#include "world/urdf/urdf_document.h"
+#include "world/sdf/sdf_cameras.h"
+#include "world/sdf/sdf_materials.h"
+#include "world/sdf/sdf_values.h"
+#include "world/urdf/urdf_text.h"
+#include "world/urdf/urdf_tree.h"
+#include "world/urdf/urdf_visuals.h"
 
 namespace synthetic_dataset::world {
 namespace {
 
-/// Where a joint that mimics another stands when that one is at 0; identity for all others.
-Pose restDisplacement(const urdf::Joint& joint, const SourceLocation& location,
-                      UrdfReading& reading) {
-  if (!joint.mimic) return Pose::Identity();
-  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
-  const double offset = joint.mimic->offset;
-  if (!std::isfinite(offset) || !axis.allFinite()) {
-    reading.findings.addError(
-        location.message("its <mimic> or <axis> has a number that is not "
-                         "finite"));
-    return Pose::Identity();
-  }
-  if (joint.type == urdf::Joint::PRISMATIC) {
-    return makePose(offset * axis.normalized(), Eigen::Quaterniond::Identity());
-  }
-  if (joint.type != urdf::Joint::REVOLUTE && joint.type != urdf::Joint::CONTINUOUS) {
-    return Pose::Identity();
-  }
-  return makePose({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(offset, axis.normalized())));
+/// A number that an element has as an attribute.
+double numberOf(const Element& element, const char* name, double fallback,
+                const SourceLocation& location, SdfReading& reading) {
+  return readNumber(element, name, fallback, location, reading);
 }
 
-/// None where it is not one of an axis.
-std::optional<JointMotion> motionOf(const urdf::Joint& joint) {
-  const bool slides = joint.type == urdf::Joint::PRISMATIC;
-  const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
-  const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
-  if ((!slides && !turns) || !axis.allFinite() || axis.norm() == 0.0) return std::nullopt;
+/// The joint of one axis that a joint is; nothing for all others.
+std::optional<JointMotion> motionOf(const Element& joint, const SourceLocation& location,
+                                    SdfReading& reading) {
+  const std::string type = joint.attribute("type");
+  const bool slides = type == "prismatic";
+  if (!slides && type != "revolute" && type != "continuous") return std::nullopt;
+  const Eigen::Vector3d axis = readVector(joint.child("axis"), "xyz", {1, 0, 0}, location, reading);
+  if (axis.norm() == 0.0) return std::nullopt;
   JointMotion motion;
   motion.slides = slides;
   motion.axis_L = axis.normalized();
-  if (joint.mimic) {
-    const urdf::JointMimic& mimic = *joint.mimic;
-    motion.mimic = JointMotion::Mimic{mimic.joint_name, mimic.multiplier, mimic.offset};
-    motion.rest = mimic.offset;
+  if (const Element mimic = joint.child("mimic")) {
+    motion.mimic = JointMotion::Mimic{mimic.attribute("joint"),
+                                      numberOf(mimic, "multiplier", 1.0, location, reading),
+                                      numberOf(mimic, "offset", 0.0, location, reading)};
+    motion.rest = motion.mimic->offset;
   }
   return motion;
 }
 
-/// The file's inertia if it is one that a body can have.
-std::optional<Inertia> readInertia(const urdf::Link& link, const SourceLocation& location,
-                                   UrdfReading& reading) {
-  if (!link.inertial) return std::nullopt;
-  const urdf::Inertial& from = *link.inertial;
-  const Pose X_LI = toPose(from.origin, location.in("inertial", ""), reading);
-  Eigen::Matrix3d moments_I;
-  moments_I << from.ixx, from.ixy, from.ixz, from.ixy, from.iyy, from.iyz, from.ixz, from.iyz,
-      from.izz;
-  if (!(from.mass > 0.0) || !std::isfinite(from.mass) || !moments_I.allFinite()) {
-    return std::nullopt;
+/// Where a joint that mimics another stands when that one is at 0; identity for all others.
+Pose restDisplacement(const std::optional<JointMotion>& motion) {
+  if (!motion || !motion->mimic) return Pose::Identity();
+  if (motion->slides) {
+    return makePose(motion->rest * motion->axis_L, Eigen::Quaterniond::Identity());
   }
+  return makePose({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(motion->rest, motion->axis_L)));
+}
+
+/// Whether a joint holds a link so that it never moves against its parent.
+bool isFixed(const Element& joint, const SourceLocation& location, SdfReading& reading) {
+  const std::string type = joint.attribute("type");
+  for (const char* known : {"revolute", "continuous", "prismatic", "floating", "planar"}) {
+    if (type == known) return false;
+  }
+  if (type == "fixed") return true;
+  reading.findings.addNote(
+      location, "its type '" + type + "' is none of URDF's; it is held where the model has it");
+  return false;
+}
+
+/// The file's inertia if it is one that a body can have; what it does not say of the moments is 0.
+std::optional<Inertia> readInertia(const Element& link, const SourceLocation& location,
+                                   SdfReading& reading) {
+  const Element inertial = link.child("inertial");
+  if (!inertial) return std::nullopt;
+  const SourceLocation here = location.in("inertial");
+  const Pose X_LI = readUrdfOrigin(inertial, here, reading);
+  const double mass = numberOf(inertial.child("mass"), "value", 0.0, here, reading);
+  const Element moments = inertial.child("inertia");
+  const auto moment = [&](const char* name) { return numberOf(moments, name, 0.0, here, reading); };
+  Eigen::Matrix3d moments_I;
+  moments_I << moment("ixx"), moment("ixy"), moment("ixz"), moment("ixy"), moment("iyy"),
+      moment("iyz"), moment("ixz"), moment("iyz"), moment("izz");
+  if (!(mass > 0.0) || !moments) return std::nullopt;
   Inertia inertia;
-  inertia.mass = from.mass;
+  inertia.mass = mass;
   inertia.centre_of_mass_L = X_LI.translation();
   inertia.moments_L = X_LI.linear() * moments_I * X_LI.linear().transpose();
   return inertia;
 }
 
-std::string nameOr(const std::string& name, std::size_t index) {
-  return name.empty() ? std::to_string(index + 1) : name;
-}
-
-/// Gathers the links of a tree, parents before children.
-class LinkReader {
+/// What the `<gazebo>` elements say of each link.
+class GazeboExtensions {
  public:
-  LinkReader(const UrdfDocument& document, const SourceLocation& location, UrdfReading& reading)
-      : document_(document), location_(location), reading_(reading) {}
-
-  void read(const urdf::Link& from, std::optional<std::size_t> parent, const Pose& X_ML) {
-    Link link;
-    link.name = from.name;
-    link.X_ML = X_ML;
-    link.parent = parent;
-    if (from.parent_joint && from.parent_joint->type != urdf::Joint::FIXED) {
-      link.moving_joint = from.parent_joint->name;
-      link.joint_motion = motionOf(*from.parent_joint);
-    }
-    const SourceLocation here = location_.in("link", from.name);
-    link.inertia = readInertia(from, here, reading_);
-    readShapes(from, here, link);
-    const std::size_t index = links.size();
-    links.push_back(std::move(link));
-    for (const urdf::LinkSharedPtr& child : from.child_links) {
-      const urdf::Joint& joint = *child->parent_joint;
-      const SourceLocation there = location_.in("joint", joint.name);
-      const Pose X_PJ = toPose(joint.parent_to_joint_origin_transform, there, reading_);
-      read(*child, index, X_ML * X_PJ * restDisplacement(joint, there, reading_));
+  GazeboExtensions(const Element& robot, SdfReading& reading) : reading_(reading) {
+    for (const Element& gazebo : robot.children("gazebo")) {
+      const std::string link = gazebo.attribute("reference");
+      if (!link.empty()) by_link_[link].push_back(gazebo);
     }
   }
 
-  std::vector<Link> links;
+  /// As in Gazebo, what a `<visual>` says takes the place of a `<material>`, which names one.
+  [[nodiscard]] GazeboLook lookOf(const std::string& link, const SourceLocation& location) const {
+    GazeboLook look;
+    std::string named;
+    for (const Element& gazebo : of(link)) {
+      const std::string name = gazebo.child("material").text();
+      if (!name.empty()) named = name;
+      for (const Element& visual : gazebo.children("visual")) readVisual(visual, location, look);
+    }
+    if (!look.material && !named.empty()) look.material = materialNamed(named, location);
+    return look;
+  }
+
+  [[nodiscard]] bool hasGravity(const std::string& link, const SourceLocation& location) const {
+    bool has_gravity = true;
+    for (const Element& gazebo : of(link)) {
+      has_gravity = !readBool(gazebo, "turnGravityOff", !has_gravity, location, reading_);
+      if (!readBool(gazebo, "selfCollide", false, location, reading_)) continue;
+      reading_.findings.addNote(location,
+                                "<selfCollide> has no effect: the links of one robot do not "
+                                "collide with each other here");
+    }
+    return has_gravity;
+  }
+
+  [[nodiscard]] std::vector<CameraSensor> camerasOf(const Link& link, const std::string& model,
+                                                    const SourceLocation& location) const {
+    std::vector<CameraSensor> cameras;
+    for (const Element& gazebo : of(link.name)) {
+      for (const Element& sensor : gazebo.children("sensor")) {
+        const SourceLocation here = locationOf(sensor, location);
+        const Pose X_LS = readPose(sensor, here, reading_).pose;
+        for (CameraSensor& camera :
+             readCameras(sensor, model + "::" + link.name + "::" + sensor.attribute("name"),
+                         link.X_ML, X_LS, here, reading_)) {
+          camera.link = link.name;
+          cameras.push_back(std::move(camera));
+        }
+      }
+    }
+    return cameras;
+  }
 
  private:
-  void readShapes(const urdf::Link& from, const SourceLocation& location, Link& link) {
-    const std::optional<Material> gazebo_material = gazeboMaterialOf(from.name, location);
-    for (std::size_t i = 0; i < from.visual_array.size(); ++i) {
-      const urdf::Visual& visual = *from.visual_array[i];
-      auto read =
-          readUrdfVisual(visual, nameOr(visual.name, i), gazebo_material, location, reading_);
-      if (read && !read->surfaces.empty()) link.visuals.push_back(std::move(*read));
-    }
-    for (std::size_t i = 0; i < from.collision_array.size(); ++i) {
-      const urdf::Collision& collision = *from.collision_array[i];
-      auto read = readUrdfCollision(collision, nameOr(collision.name, i), location, reading_);
-      if (read) link.collisions.push_back(std::move(*read));
-    }
+  [[nodiscard]] const std::vector<Element>& of(const std::string& link) const {
+    static const std::vector<Element> kNone;
+    const auto found = by_link_.find(link);
+    return found == by_link_.end() ? kNone : found->second;
   }
 
-  /// What Gazebo shows a link in; names that only a robot's own scripts know leave the choice to
-  /// the URDF.
-  [[nodiscard]] std::optional<Material> gazeboMaterialOf(const std::string& link,
-                                                         const SourceLocation& location) const {
-    const auto name = document_.gazebo_materials.find(link);
-    if (name == document_.gazebo_materials.end()) return std::nullopt;
-    std::optional<Material> material = gazeboMaterial(name->second, reading_.meshes.textures());
+  void readVisual(const Element& visual, const SourceLocation& location, GazeboLook& look) const {
+    const SourceLocation here = locationOf(visual, location, "");
+    if (auto material = readSdfMaterial(visual, here, reading_)) {
+      look.material = std::move(material);
+    }
+    const double transparency = readNumber(visual, "transparency", 0.0, here, reading_);
+    look.transparency = static_cast<float>(std::min(1.0, std::max(0.0, transparency)));
+    look.casts_shadow = readBool(visual, "cast_shadows", look.casts_shadow, here, reading_);
+  }
+
+  /// Names that only a robot's own scripts know leave the choice to the URDF.
+  [[nodiscard]] std::optional<Material> materialNamed(const std::string& name,
+                                                      const SourceLocation& location) const {
+    std::optional<Material> material = gazeboMaterial(name, reading_.meshes.textures());
     if (!material) {
-      reading_.findings.addNote(location, "Gazebo ships no material '" + name->second +
+      reading_.findings.addNote(location, "Gazebo ships no material '" + name +
                                               "', which <gazebo> names for it; shown as without" +
-                                              nearGazeboMaterial(name->second));
+                                              nearGazeboMaterial(name));
     }
     return material;
   }
 
-  const UrdfDocument& document_;
-  const SourceLocation& location_;
-  UrdfReading& reading_;
+  SdfReading& reading_;
+  std::map<std::string, std::vector<Element>> by_link_;
 };
 
-/// A robot whose parts all lie on their sides is hard to explain otherwise.
-void noteYUp(const Model& model, const SourceLocation& location, UrdfReading& reading) {
-  if (model.links.size() < 2 || reading.y_up_meshes.empty()) return;
-  const std::size_t more = reading.y_up_meshes.size() - 1;
-  reading.findings.addNote(
-      location,
-      "mesh '" + *reading.y_up_meshes.begin() + "'" +
-          (more > 0 ? " and " + std::to_string(more) + " more say" : " says") +
-          " in COLLADA that y points up; drawn as Gazebo and RViz do, which do not turn it");
-}
+/// Gathers the links of a tree, parents before children.
+class LinkReader {
+ public:
+  LinkReader(const UrdfTree& tree, const Element& robot, const SourceLocation& location,
+             SdfReading& reading)
+      : tree_(tree),
+        location_(location),
+        reading_(reading),
+        gazebo_(robot, reading),
+        shapes_(robot, reading) {
+    result.model.name = robot.attribute("name");
+  }
+
+  /// @param joint  that holds the link; null: it is the root
+  void read(const std::string& name, const UrdfJoint* joint, std::optional<std::size_t> parent,
+            const Pose& X_MP) {
+    const Element& element = tree_.links.at(name);
+    Link link;
+    link.name = name;
+    link.parent = parent;
+    link.X_ML = X_MP;
+    if (joint != nullptr) hang(*joint, link);
+    const SourceLocation here = location_.in("link", name);
+    const SourceLocation there = locationOf(element, location_, name);
+    link.inertia = readInertia(element, there, reading_);
+    link.has_gravity = gazebo_.hasGravity(name, here);
+    link.visuals = shapes_.visuals(element, gazebo_.lookOf(name, here), here);
+    link.collisions = shapes_.collisions(element, here);
+    for (CameraSensor& camera : gazebo_.camerasOf(link, result.model.name, here)) {
+      result.cameras.push_back(std::move(camera));
+    }
+    const std::size_t index = result.model.links.size();
+    const Pose X_ML = link.X_ML;
+    result.model.links.push_back(std::move(link));
+    const auto below = tree_.below.find(name);
+    if (below == tree_.below.end()) return;
+    for (const UrdfJoint& each : below->second) read(each.child, &each, index, X_ML);
+  }
+
+  /// A robot whose parts all lie on their sides is hard to explain otherwise.
+  void noteYUp() const {
+    const std::set<std::string>& meshes = shapes_.yUpMeshes();
+    if (result.model.links.size() < 2 || meshes.empty()) return;
+    const std::size_t more = meshes.size() - 1;
+    reading_.findings.addNote(
+        location_,
+        "mesh '" + *meshes.begin() + "'" +
+            (more > 0 ? " and " + std::to_string(more) + " more say" : " says") +
+            " in COLLADA that y points up; drawn as Gazebo and RViz do, which do not turn it");
+  }
+
+  UrdfModel result;
+
+ private:
+  void hang(const UrdfJoint& joint, Link& link) {
+    const SourceLocation here = locationOf(joint.element, location_, joint.name);
+    const auto motion = motionOf(joint.element, here, reading_);
+    const Pose X_PJ = readUrdfOrigin(joint.element, here, reading_);
+    link.X_ML = link.X_ML * X_PJ * restDisplacement(motion);
+    if (isFixed(joint.element, here, reading_)) return;
+    link.moving_joint = joint.name;
+    link.joint_motion = motion;
+  }
+
+  const UrdfTree& tree_;
+  const SourceLocation& location_;
+  SdfReading& reading_;
+  GazeboExtensions gazebo_;
+  UrdfShapeReader shapes_;
+};
 
 }  // namespace
 
-Model readUrdfModel(UrdfReading& reading) {
-  Model model;
-  const UrdfDocument document = readUrdf(reading.source, reading.findings);
-  if (!document.robot) return model;
-  model.name = document.robot->getName();
-  const SourceLocation location(reading.source.name);
-  LinkReader reader(document, location, reading);
-  reader.read(*document.robot->getRoot(), std::nullopt, Pose::Identity());
-  model.links = std::move(reader.links);
-  noteYUp(model, location, reading);
-  return model;
+UrdfModel readUrdfModel(const SdfFile& file, SdfReading& outer) {
+  SdfFile prepared;
+  if (!prepareUrdf(file, prepared, outer.findings)) return {};
+  SdfReading reading = outer;
+  reading.survey = nullptr;  // it is read at once
+  const Element robot(&prepared.root(), &prepared);
+  const SourceLocation location(file.path.string());
+  const auto tree = readUrdfTree(robot, location, reading);
+  if (!tree) return {};
+  LinkReader reader(*tree, robot, location, reading);
+  reader.read(tree->root, nullptr, std::nullopt, Pose::Identity());
+  reader.noteYUp();
+  return std::move(reader.result);
 }
 
 }  // namespace synthetic_dataset::world

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "world/description.h"
-#include "world/urdf/urdf_geometry.h"
+#include "world/sdf/sdf_reading.h"
 
 namespace synthetic_dataset::world {
 
 /// Reads a robot: all its links, those without inertia or visuals too, each at its place with every
 /// joint at 0 (a joint that mimics another at its offset). The model's frame is its root link's.
-/// What is wrong is reported in the reading's findings.
-[[nodiscard]] Model readUrdfModel(UrdfReading& reading);
+/// What Gazebo adds to a link (`<gazebo reference="link">`: its material, its cameras, no gravity)
+/// counts as Gazebo takes it. As with SDF, what cannot be understood costs that alone, with a note;
+/// links that are no tree are an error in the reading's findings.
+[[nodiscard]] UrdfModel readUrdfModel(const SdfFile& file, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

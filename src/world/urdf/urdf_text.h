@@ -1,35 +1,15 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-
 #include "world/files/findings.h"
+#include "world/sdf/sdf_file.h"
 
 namespace synthetic_dataset::world {
 
-/// A model's text and where it comes from.
-struct ModelText {
-  std::string name;                             ///< for messages: the file's path
-  std::optional<std::filesystem::path> folder;  ///< that URIs are relative to; none: of no file
-  std::string text;
-};
-
-/// URDF as urdfdom may read it.
-struct UrdfText {
-  std::string text;
-  std::map<std::string, std::string> gazebo_materials;  ///< by link: "Gazebo/Grey"
-};
-
-/// Resolves what roslaunch and xacro may have left: `$(optenv NAME default)` and `$(env NAME)`
-/// from the environment, `$(find package)` and
-/// `$(find-pkg-share package)` as `package://package`. An attribute with anything else
-/// of the kind is left out, and noted. Blocks of other programs (<gazebo>, <transmission>, ...) go;
-/// of Gazebo's the links' materials are kept.
-/// A material that is defined nowhere goes too, and is noted.
-/// @return nothing where the text is no URDF or has not been through xacro, with the errors
-///     reported
-[[nodiscard]] std::optional<UrdfText> prepareUrdf(const ModelText& model, Findings& findings);
+/// Resolves what roslaunch and xacro may have left in a URDF: `$(optenv NAME default)` and
+/// `$(env NAME)` from the environment, `$(find package)` and `$(find-pkg-share package)` as
+/// `package://package`. An attribute with anything else of the kind is left out, and noted. Blocks
+/// of other programs (<gazebo>, <transmission>, ...) stay as they are.
+/// @return false where the text has not been through xacro, with the error reported
+[[nodiscard]] bool prepareUrdf(const SdfFile& urdf, SdfFile& prepared, Findings& findings);
 
 }  // namespace synthetic_dataset::world

@@ -76,6 +76,8 @@ TEST(ResourceFinder, FindsPackages) {
   });
   EXPECT_THAT(finder.find("package://robot/meshes/arm.dae", "/"), Optional(file));
   EXPECT_THAT(finder.find("model://robot/meshes/arm.dae", "/"), Optional(file));
+  EXPECT_THAT(finder.find("file://package://robot/meshes/arm.dae", "/"), Optional(file))
+      << "as file://$(find robot)/meshes/arm.dae becomes";
   EXPECT_EQ(finder.find("package://other/meshes/arm.dae", "/"), std::nullopt);
 }
 

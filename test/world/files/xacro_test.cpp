@@ -1,6 +1,6 @@
 /// xacro through the loader, with stand-ins for the program on PATH.
 
-#include "world/urdf/xacro.h"
+#include "world/files/xacro.h"
 
 #include <cstdlib>
 
@@ -79,12 +79,12 @@ TEST_F(Xacro, TellsWhatIsWrongWithTheFile) {
 TEST_F(Xacro, TellsHowToGetItWhereThereIsNone) {
   uninstall();
   WorldLoader loader(finder_);
-  EXPECT_THAT(
-      messagesOf([&] {
-        (void)loader.loadModel(file_.string(), "alpha", {{"prefix", "a b"}});
-      }),
-      ElementsAre(AllOf(HasSubstr("there is no xacro to expand it"), HasSubstr("pip install xacro"),
-                        HasSubstr("'prefix:=a b'"), HasSubstr("> robot.urdf"))));
+  EXPECT_THAT(messagesOf([&] {
+                (void)loader.loadModel(file_.string(), "alpha", {{"prefix", "a b"}});
+              }),
+              ElementsAre(AllOf(HasSubstr("there is no xacro to expand it"),
+                                HasSubstr("pip install --no-deps"), HasSubstr("'prefix:=a b'"),
+                                HasSubstr("> robot.urdf"))));
 }
 
 TEST_F(Xacro, KnowsWhatRos2CallsAPackagesFolder) {
@@ -115,6 +115,16 @@ TEST_F(Xacro, IsEndedWhereItCrashes) {
   install("kill -SEGV $$");
   EXPECT_THAT(messagesOf([&] { (void)expandXacro(file_, {}); }),
               ElementsAre(HasSubstr("crashes (Segmentation fault)")));
+}
+
+TEST_F(Xacro, ExpandsAFileThatAModelsFolderNames) {
+  install("echo \"<robot name='x'><link name='arm'/></robot>\"");
+  (void)folder_.write("models/x/model.config",
+                      "<model><name>x</name><sdf version='1.5'>x.xacro</sdf></model>");
+  (void)folder_.write("models/x/x.xacro", "<robot/>");
+  const ResourceFinder finder({(folder_ / "models").string()}, nullptr);
+  const auto world = folder_.write("a.world", test::worldFile(test::includeElement("model://x")));
+  EXPECT_EQ(loadWorld(world.string(), finder).models.at(0).links.at(0).name, "arm");
 }
 
 }  // namespace xacro_test

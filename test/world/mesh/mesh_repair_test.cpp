@@ -120,6 +120,15 @@ TEST_F(MeshRepair, LeavesNamesThatBeginWithAPoint) {
   EXPECT_EQ(repairedObj("v 1.5 -1.5 .\n\n"), "v 1.5 -1.5 .\n\n");
 }
 
+TEST_F(MeshRepair, TakesIndicesOfWhatAFileDoesNotHaveFromItsFaces) {
+  EXPECT_EQ(repairedObj("v 0 0 0\nvn 0 0 1\nf 1/2/1 2/3/1 3/4/1"),
+            "v 0 0 0\nvn 0 0 1\nf 1//1 2//1 3//1");
+  EXPECT_EQ(repairedObj("v 0 0 0\nf 1/2/1 2//1 3/4"), "v 0 0 0\nf 1 2 3");
+  EXPECT_EQ(repairedObj("vt 0 0\nf 1/2 2/-3/5 3"), "vt 0 0\nf 1/2 2/-3 3");
+  const std::string whole = "vt 0 0\nvn 0 0 1\nf 1/2/3 1//2 1/2";
+  EXPECT_EQ(repairedObj(whole), whole);
+}
+
 TEST_F(MeshRepair, HasNoMaterialsWhereTheLibraryIsMissing) {
   const MeshFile file = read("a.obj", "mtllib gone.mtl\nusemtl red\n" + std::string(kTriangleObj));
   EXPECT_TRUE(file.materials.at(file.parts.at(0).material).made_up);

@@ -139,5 +139,19 @@ TEST(SdfLight, CastsNoShadowsWhereTheSceneHasNone) {
   EXPECT_FALSE(world.lights.at(0).casts_shadow);
 }
 
+TEST(SdfCamera, IsEachOneOfAMulticamera) {
+  const TemporaryFolder folder;
+  const std::string text = worldFile(modelElement(
+      "mast",
+      linkElement("<sensor name='two' type='multicamera'><camera name='left'>" + kRightAngle +
+                  kImage + "</camera><camera name='right'>" + "<pose>0 -0.5 0 0 0 0</pose>" +
+                  kRightAngle + kImage + "</camera></sensor>")));
+  const std::vector<CameraSensor> cameras = loadText(folder, text).cameras;
+  ASSERT_EQ(cameras.size(), 2U);
+  EXPECT_EQ(cameras[0].name, "mast::body::two::left");
+  EXPECT_EQ(cameras[1].name, "mast::body::two::right");
+  EXPECT_TRUE(cameras[1].X_WC.translation().isApprox(Eigen::Vector3d(0, -0.5, 0)));
+}
+
 }  // namespace sdf_loader_camera_test
 }  // namespace synthetic_dataset::world

@@ -54,7 +54,7 @@ TEST(SdfLoaderErrors, TellWhatUrdfsParserSays) {
   const auto file = folder.write("robot.urdf",
                                  "<robot name='r'><link name='a'/><link name='a'/>"
                                  "</robot>");
-  EXPECT_THAT(errorsOfFile(folder, file.string()), Contains(HasSubstr("is not unique")));
+  EXPECT_THAT(errorsOfFile(folder, file.string()), Contains(HasSubstr("link 'a' is there twice")));
 }
 
 TEST(SdfLoaderErrors, TellWhereAMissingMeshWasLookedFor) {

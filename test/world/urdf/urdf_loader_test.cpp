@@ -1,5 +1,7 @@
 /// URDF through the loader: what becomes of links, joints and visuals.
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -14,6 +16,7 @@ namespace urdf_loader_test {
 using synthetic_dataset::test::messagesOf;
 using synthetic_dataset::test::TemporaryFolder;
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -203,39 +206,119 @@ TEST_F(UrdfLoader, SkipsBlocksOfOtherPrograms) {
   EXPECT_THAT(loader.modelNotes(), IsEmpty());
 }
 
-TEST_F(UrdfLoader, RefusesWhatUrdfdomPassesOver) {
+TEST_F(UrdfLoader, LeavesOutShapesThatSayNothing) {
   const ResourceFinder finder = test::finderIn(folder);
   const std::vector<std::pair<std::string, std::string>> links{
-      {linkWith("<geometry><box size='1 1'/></geometry>"), "visual element for Link [a]"},
-      {linkWith("<geometry/>"), "visual element for Link [a]"},
-      {linkWith(""), "visual element for Link [a]"},
-      {linkWith("<geometry><mesh filename='x.stl' scale='1 1 1 1'/></geometry>"), "Mesh scale"},
+      {linkWith("<geometry><box size='1 1'/></geometry>"),
+       "visual '1': its box's size is '1 1'; it should be 3"},
+      {linkWith("<geometry><box size='0 0 0'/></geometry>"), "visual '1': box size"},
+      {linkWith("<geometry><box size='1 -1 1'/></geometry>"), "visual '1': box size"},
+      {linkWith("<geometry><sphere radius='0'/></geometry>"), "visual '1': sphere radius"},
+      {linkWith("<geometry><cylinder radius='1'/></geometry>"), "its cylinder has no length"},
+      {linkWith("<geometry/>"), "visual '1': has no geometry"},
+      {linkWith(""), "visual '1': has no geometry"},
+      {linkWith("<geometry><cone radius='1'/></geometry>"), "its geometry, a 'cone'"},
+      {linkWith("<geometry><mesh filename='x.stl' scale='1 0 1'/></geometry>"), "mesh scale"},
       {"<link name='a'><collision><geometry/></collision></link>",
-       "collision element for Link [a]"},
-      {"<link name='a'><inertial><mass value='nan'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
-       "ixz='0' iyz='0'/></inertial></link>",
-       "inertial element for Link [a]"}};
-  LoadOptions lenient;
-  lenient.on_missing_asset = OnMissingAsset::kWarn;
+       "collision '1': has no geometry"},
+      {"<link name='a'><collision><geometry><mesh filename='gone.stl'/></geometry></collision>"
+       "</link>",
+       "collision '1': mesh 'gone.stl': no such file"}};
   for (const auto& [link, message] : links) {
-    EXPECT_THAT(errorsOf(robot(link)),
-                ElementsAre(AllOf(HasSubstr("robot.urdf: "), HasSubstr(message))))
-        << link;
-    WorldLoader loader(finder, lenient);
+    WorldLoader loader(finder);
     const auto file = folder.write("robot.urdf", robot(link));
-    EXPECT_THAT(loader.loadModel(file.string(), "alpha").links, SizeIs(1)) << link;
+    const Model model = loader.loadModel(file.string(), "alpha");
+    EXPECT_THAT(model.links.at(0).visuals, IsEmpty()) << link;
+    EXPECT_THAT(model.links.at(0).collisions, IsEmpty()) << link;
     EXPECT_THAT(loader.modelNotes(),
-                ElementsAre(AllOf(HasSubstr(message), HasSubstr("(left out)"))))
+                Contains(AllOf(HasSubstr("robot.urdf: line 1: link 'a': "), HasSubstr(message))))
         << link;
   }
+}
+
+TEST_F(UrdfLoader, ReadsRobotsOfWhichNoPictureNeedsAll) {
+  const std::vector<std::string> robots = {
+      "<link name='a'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>",
+      "<link name='a'><inertial><mass value='nan'/></inertial>",
+      "<link name='b'/><joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
+      "<limit lower='-1' upper='1'/><safety_controller/></joint><link name='a'>",
+      "<link name='a'><collision><geometry><capsule radius='1' length='2'/></geometry>"
+      "</collision>"};
+  for (const std::string& each : robots) {
+    const Model model = load(robot(each + "<visual>" + std::string(kCube) + "</visual></link>"));
+    EXPECT_THAT(linkOf(model, "a").visuals, SizeIs(1)) << each;
+  }
+}
+
+TEST_F(UrdfLoader, DrawsCapsules) {
+  const Model model =
+      load(robot(linkWith("<geometry><capsule radius='0.1' length='0.2'/></geometry>")));
+  float highest = 0.0F;
+  for (const auto& p : model.links.at(0).visuals.at(0).surfaces.at(0).mesh->positions) {
+    highest = std::max(highest, p.z());
+  }
+  EXPECT_NEAR(highest, 0.2F, 1e-5F) << "half of the length, and the radius";
+}
+
+TEST_F(UrdfLoader, ShowsALinkAsGazeboIsTold) {
+  const std::string blue = "<material name='m'><color rgba='0 0 1 1'/></material>";
+  const Model model = load(robot(
+      linkWith(kCube + blue) +
+      "<gazebo reference='a'><material>Gazebo/Red</material><turnGravityOff>true</turnGravityOff>"
+      "<visual><material><ambient>0 1 0 1</ambient><diffuse>0 1 0 1</diffuse></material>"
+      "<transparency>0.25</transparency><cast_shadows>false</cast_shadows></visual></gazebo>"));
+  const Link& link = model.links.at(0);
+  EXPECT_FALSE(link.has_gravity);
+  EXPECT_FALSE(link.visuals.at(0).casts_shadow);
+  EXPECT_EQ(link.visuals.at(0).surfaces.at(0).material.diffuse, Eigen::Vector4f(0, 1, 0, 0.75F));
+}
+
+TEST_F(UrdfLoader, FindsCamerasOnLinksOfFixedJoints) {
+  const ResourceFinder finder = test::finderIn(folder);
+  WorldLoader loader(finder);
+  const auto file = folder.write(
+      "robot.urdf",
+      robot("<link name='a'/><link name='b'/>" + joint("fixed", "<origin xyz='0.5 0 1'/>") +
+            "<gazebo reference='b'><sensor type='camera' name='eye'><pose>0.1 0 0 0 0 0</pose>"
+            "<camera><horizontal_fov>1</horizontal_fov><image><width>320</width>"
+            "<height>240</height></image></camera></sensor></gazebo>"));
+  (void)loader.loadModel(file.string(), "rover");
+  ASSERT_THAT(loader.modelCameras(), SizeIs(1));
+  const CameraSensor& camera = loader.modelCameras().front();
+  EXPECT_EQ(camera.name, "rover::b::eye");
+  EXPECT_EQ(camera.link, "b");
+  EXPECT_TRUE(camera.X_WC.translation().isApprox(Eigen::Vector3d(0.6, 0, 1)));
+  EXPECT_TRUE(camera.X_WC.linear().col(2).isApprox(Eigen::Vector3d::UnitX())) << "looks along x";
+}
+
+TEST_F(UrdfLoader, TakesColoursOfAnStlForNoneWhereTheFileGivesOne) {
+  std::string stl(80, ' ');
+  stl += std::string("\1\0\0\0", 4);
+  const float numbers[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  stl.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  stl += std::string("\0\x80", 2);  // black, with the bit that says that it is a colour
+  (void)folder.write("a.stl", stl);
+  const Model model =
+      load(robot(linkWith("<geometry><mesh filename='a.stl'/></geometry>"
+                          "<material name='m'><color rgba='0.9 0.1 0.1 1'/></material>")));
+  const Surface& surface = model.links.at(0).visuals.at(0).surfaces.at(0);
+  EXPECT_THAT(surface.mesh->colours, IsEmpty());
+  EXPECT_EQ(surface.material.diffuse, Eigen::Vector4f(0.9F, 0.1F, 0.1F, 1));
+}
+
+TEST_F(UrdfLoader, PutsInTheEntitiesOfItsDocumentType) {
+  const Model model = load("<?xml version='1.0'?>\n<!DOCTYPE robot [<!ENTITY s \"0.4\">]>\n" +
+                           robot(linkWith("<geometry><box size='&s; &s; 1'/></geometry>")));
+  EXPECT_EQ(
+      model.links.at(0).visuals.at(0).surfaces.at(0).mesh->positions[0].x() * 2.0F,
+      model.links.at(0).visuals.at(0).surfaces.at(0).mesh->positions[0].x() < 0 ? -0.4F : 0.4F);
 }
 
 TEST_F(UrdfLoader, DrawsAVisualWithoutAColourThatIsNone) {
   const ResourceFinder finder = test::finderIn(folder);
   const std::vector<std::pair<std::string, std::string>> materials{
       {"<material name='gone'/>", "line 1: link 'a': the material 'gone' is defined nowhere"},
-      {"<material name='m'><color rgba='2 0 0 1'/></material>", "drawn in the default colour"},
-      {"<material name='m'><color rgba='nan 0 0 1'/></material>", "drawn in the default colour"}};
+      {"<material name='m'><color rgba='nan 0 0 1'/></material>", "color: found 'nan 0 0 1'"}};
   for (const auto& [material, message] : materials) {
     WorldLoader loader(finder);
     const auto file = folder.write("robot.urdf", robot(linkWith(kCube + material)));
@@ -309,8 +392,8 @@ TEST_F(UrdfLoader, SaysThatATextHasNoFolder) {
   const ResourceFinder finder = test::finderIn(folder);
   EXPECT_THAT(
       errorsOfText(finder, robot(linkWith("<geometry><mesh filename='a.stl'/></geometry>"))),
-      ElementsAre(AllOf(HasSubstr("the text of alpha/model: link 'a': visual '1': mesh 'a.stl'"),
-                        HasSubstr("package:// and absolute paths"))));
+      ElementsAre(AllOf(HasSubstr("link 'a': visual '1': mesh 'a.stl': no such file"),
+                        HasSubstr("package://, model:// and absolute paths"))));
   EXPECT_THAT(errorsOfText(finder, test::modelFile("m", test::linkElement(test::visualElement(
                                                             test::meshElement("a.stl"))))),
               ElementsAre(AllOf(HasSubstr("the text of alpha/model"),
@@ -338,12 +421,14 @@ const std::string kTwo = "<link name='a'/><link name='b'/>";
 INSTANTIATE_TEST_SUITE_P(
     UrdfLoader, BadUrdfs,
     testing::Values(
-        BadUrdf{"", "No link elements"}, BadUrdf{kTwo, "root links"},
-        BadUrdf{"<link name='a'/><link name='a'/>", "'a' is not unique"},
-        BadUrdf{"<link name='b'/>" + joint("fixed", ""), "parent link [a] of joint [j] not found"},
+        BadUrdf{"", "line 1: has no <link>"},
+        BadUrdf{kTwo, "the links 'a', 'b' hang on nothing; a robot has one root"},
+        BadUrdf{"<link name='a'/><link name='a'/>", "link 'a' is there twice"},
+        BadUrdf{"<link name='b'/>" + joint("fixed", ""),
+                "joint 'j': its parent 'a' is no link of the robot"},
         BadUrdf{kTwo + joint("fixed", "") +
                     "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>",
-                "No root link found"},
+                "all links hang on one another in a loop"},
         BadUrdf{"<link name='root'/>" + kTwo + joint("fixed", "") +
                     "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>",
                 "the links 'a', 'b' hang on one another in a loop"},
@@ -351,14 +436,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "<joint name='k' type='fixed'><parent link='a'/><child link='c'/></joint>"
                     "<joint name='l' type='fixed'><parent link='c'/><child link='b'/></joint>",
                 "link 'b' is the child of joint 'j' and of joint 'l'"},
-        BadUrdf{kTwo + joint("fixed", "<origin xyz='0 nan 0'/>"), "origin"},
-        BadUrdf{linkWith("<geometry><box size='1 -1 1'/></geometry>"),
-                "link 'a': visual '1': box size: found -1.000000; it has to be above 0 m"},
-        BadUrdf{linkWith("<geometry><sphere radius='0'/></geometry>"), "sphere radius"},
         BadUrdf{linkWith("<geometry><mesh filename='gone.stl'/></geometry>"),
                 "visual '1': mesh 'gone.stl': no such file; looked in "},
-        BadUrdf{linkWith("<geometry><mesh filename='x.stl' scale='1 0 1'/></geometry>"),
-                "mesh scale"},
         BadUrdf{linkWith("<geometry><box size='${width} 1 1'/></geometry>"), "rosrun xacro xacro"},
         BadUrdf{"<xacro:include filename='x'/><link name='a'/>",
                 "line 1: 'xacro:include' is xacro's"},
