@@ -1,6 +1,7 @@
 #include "config/config.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -173,6 +174,18 @@ Config readConfig(Parameters root) {
     }
   }
   return config;
+}
+
+bool hasOldForm(const Value& settings) {
+  const auto* map = settings.as<Value::Map>();
+  if (map == nullptr || map->count("writers") != 0) return false;
+  const std::array<const char*, 3> writers = {"yolo", "stvnet", "bounding_shape"};
+  return std::any_of(writers.begin(), writers.end(), [&](const char* name) {
+    const auto found = map->find(name);
+    if (found == map->end()) return false;
+    const auto* group = found->second.as<Value::Map>();
+    return group != nullptr && group->count("output_folder") != 0;
+  });
 }
 
 namespace {

@@ -56,6 +56,11 @@ struct Config : scene::SceneOptions {
 /// Reads all settings. What is wrong is noted in `root`, with a harmless value in its place.
 [[nodiscard]] Config readConfig(Parameters root);
 
+/// Whether settings are a parameter file of nn_data_collection, perhaps with what it needs here:
+/// they have its writers' groups, and no `writers`. What it has besides was never read, and no
+/// error there.
+[[nodiscard]] bool hasOldForm(const Value& settings);
+
 /// One error for each parameter that nobody reads, with the name that it may have meant. Ask when
 /// the writers have read theirs. Blocks of objects and writers that this run does not use are no
 /// error: the original's users keep them in their files.

@@ -133,7 +133,8 @@ motion::MotionOptions readMotion(Parameters& root) {
     if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which reports it
     motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
     refuseWithout(root,
-                  {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"},
+                  {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics",
+                   "when_unknown"},
                   "motion: bag");
   } else {
     motion.bag_files = root.required<std::vector<std::string>>("bag_file");

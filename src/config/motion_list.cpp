@@ -177,8 +177,8 @@ class Reader {
     for (const auto& [name, setting] : *settings) {
       if (moved.count(name) != 0) continue;
       error(group + "/" + name +
-            ": an object is the same in all motions, but for frame, frame_id, link_frames and "
-            "safety_radius; it should stand in the run's group '" +
+            ": an object is the same in all motions, but for frame, frame_id, link_frames, "
+            "safety_radius and when_unknown; it should stand in the run's group '" +
             group.substr(group.rfind('/') + 1) + "'");
     }
   }
@@ -217,8 +217,8 @@ class Reader {
       below.erase("scenes");
       if (has_bags && has_placements) {
         const bool is_placed = isPlacement(settingsOf(entry));
-        for (const char* name :
-             {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics"}) {
+        for (const char* name : {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics",
+                                 "pose_topics", "when_unknown"}) {
           if (is_placed) below.erase(name);
         }
         if (!is_placed) below.erase("placement");

@@ -71,12 +71,13 @@ const std::set<std::string>& settingsOfMotions() {
       "bag_file",   "camera",         "camera_frame_id", "cameras",   "duration",    "lidars",
       "max_tf_gap", "motion",         "physics",         "placement", "pose_topics", "randomize",
       "scenes",     "simulated_rate", "start_offset",    "stretch",   "tf_topics",   "twin",
-      "world",      "world_file"};
+      "when_unknown", "world",      "world_file"};
   return kNames;
 }
 
 const std::set<std::string>& settingsOfMovedObjects() {
-  static const std::set<std::string> kNames = {"frame", "frame_id", "link_frames", "safety_radius"};
+  static const std::set<std::string> kNames = {"frame", "frame_id", "link_frames", "safety_radius",
+                                               "when_unknown"};
   return kNames;
 }
 

@@ -213,7 +213,15 @@ void checkModelArguments(Parameters& group, const scene::ObjectOptions& object) 
                  "take arguments");
 }
 
-scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
+scene::WhenUnknown readWhenUnknown(Parameters& group, scene::WhenUnknown fallback) {
+  if (!group.has("when_unknown")) return fallback;
+  return choice<scene::WhenUnknown>(
+      group, "when_unknown",
+      {{"skip_scene", scene::WhenUnknown::kSkipScene}, {"absent", scene::WhenUnknown::kAbsent}});
+}
+
+scene::ObjectOptions readObject(Parameters& root, const std::string& name,
+                                scene::WhenUnknown when_unknown) {
   Parameters group = root.group(name);
   scene::ObjectOptions object;
   object.name = name;
@@ -233,6 +241,7 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name) {
     object.frame_is_given = group.has("frame");
     object.link_frames = readLinkFrames(group);
   }
+  object.when_unknown = readWhenUnknown(group, when_unknown);
   object.model = group.maybe<std::string>("model");
   if (object.model && object.model->rfind("param:", 0) == 0) {
     group.addError("model", "found '" + *object.model +
@@ -326,6 +335,7 @@ std::vector<scene::ObjectOptions> readObjects(Parameters root) {
   if (isEmptyList(root, "robot_list")) {
     root.addError("robot_list", "found an empty list; it should name at least one object");
   }
+  const scene::WhenUnknown when_unknown = readWhenUnknown(root, scene::WhenUnknown::kSkipScene);
   std::vector<scene::ObjectOptions> objects;
   std::set<std::string> seen;
   std::map<std::string, std::string> ids;
@@ -350,7 +360,7 @@ std::vector<scene::ObjectOptions> readObjects(Parameters root) {
                                       didYouMean(name, root.names()));
       continue;
     }
-    objects.push_back(readObject(root, name));
+    objects.push_back(readObject(root, name, when_unknown));
     const scene::ObjectOptions& object = objects.back();
     const auto [same, added] = ids.emplace(object.id, name);
     if (!added && root.group(name).has("id")) {

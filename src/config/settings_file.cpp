@@ -193,6 +193,16 @@ void overlay(Value::Map& settings, const Value::Map& over) {
   }
 }
 
+void overrideBy(const Value::Map& over, Value::Map& settings) {
+  if (over.count("output_folder") != 0) {
+    for (auto& [name, value] : settings) {
+      auto* group = value.as<Value::Map>();
+      if (group != nullptr) group->erase("output_folder");
+    }
+  }
+  overlay(settings, over);
+}
+
 Value::Map* groupIn(Value::Map& settings, const std::string& name) {
   const auto entry = settings.find(name);
   return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();

@@ -41,6 +41,10 @@ struct SettingsSources {
 /// Puts settings over others: groups are merged, all else is replaced, distributions too.
 void overlay(Value::Map& settings, const Value::Map& over);
 
+/// The same of what overrides a file's settings from outside, as on a command line: an
+/// `output_folder` moves the writers' folders, too, below itself.
+void overrideBy(const Value::Map& over, Value::Map& settings);
+
 /// A group of settings; null where there is none of this name.
 [[nodiscard]] Value::Map* groupIn(Value::Map& settings, const std::string& name);
 [[nodiscard]] const Value::Map* groupIn(const Value::Map& settings, const std::string& name);

@@ -38,6 +38,28 @@ std::string ignoredTopics(const std::vector<std::string>& topics) {
          " (tf_topics names them)";
 }
 
+/// Where nothing static was recorded, what it holds is missing: it is sent once, when a recording
+/// has not yet begun, or into the first of its parts.
+std::string lacksStatic(const BagReader& bags) {
+  const std::string ending = "tf_static";
+  for (const BagTopic& topic : bags.topics()) {
+    const bool is_static =
+        topic.name.size() >= ending.size() &&
+        topic.name.compare(topic.name.size() - ending.size(), ending.size(), ending) == 0;
+    if (is_static) return "";
+  }
+  return "the recording has no /tf_static: of one in several parts the first alone has it; "
+         "bag_file should name all parts";
+}
+
+/// Adds what may be the cause to the first frame that is missing, and is not only misspelt.
+void addToMissing(const std::string& cause, std::vector<std::string>& errors) {
+  const auto missing = std::find_if(errors.begin(), errors.end(), [](const std::string& error) {
+    return error.rfind("frame '", 0) == 0 && error.find("did you mean") == std::string::npos;
+  });
+  if (missing != errors.end()) *missing += "; " + cause;
+}
+
 /// There is no transform at all.
 std::vector<std::string> nothingToUse(const BagReader& bags, const TfTopics& tf,
                                       const TransformRecording& recording,
@@ -70,6 +92,7 @@ BagMotion::BagMotion(const BagMotionOptions& options) : FrameSource(options.glob
   others.readJoints(robots);
   hints_ = others.hints();
   if (!tf.ignored.empty()) hints_.push_back(ignoredTopics(tf.ignored));
+  lacks_static_ = lacksStatic(bags);
   if (recording.empty()) throw ErrorList(nothingToUse(bags, tf, recording, hints_));
 
   tree_ = recording.finish(options.stretch);
@@ -106,8 +129,11 @@ std::optional<Duration> BagMotion::recordedPeriod(FrameId frame, Stamp time) con
 
 Timeline BagMotion::timeline(const std::vector<std::string>& frames,
                              const TimelineOptions& options) const {
-  std::vector<std::string> errors = unknownFrames(tree_, globalFrame(), frames);
+  std::vector<std::string> named = frames;
+  named.insert(named.end(), options.sometimes.begin(), options.sometimes.end());
+  std::vector<std::string> errors = unknownFrames(tree_, globalFrame(), named);
   if (!errors.empty()) {
+    if (!lacks_static_.empty()) addToMissing(lacks_static_, errors);
     errors.insert(errors.end(), hints_.begin(), hints_.end());
     for (std::string& error : optionErrors(times_, options)) errors.push_back(std::move(error));
     throw ErrorList(errors);
@@ -115,8 +141,9 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
   FramesToKnow wanted{global_, {}};
   for (const std::string& frame : frames) wanted.frames.push_back(*find(frame));
   RecordedTimes recorded = times_;
+  RecordedTimes all = times_;
   if (hasOwnClock()) {
-    const RecordedTimes all{stretches_[stretch_].first, stretches_[stretch_].last};
+    all = {stretches_[stretch_].first, stretches_[stretch_].last};
     const auto known = knownTimes(tree_, wanted, all);
     if (!known) throw ErrorList(whyNoWindow(tree_, wanted, all, all, options));
     recorded = *known;
@@ -139,6 +166,10 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
                                                "; the recording has " + secondsText(rest) +
                                                " from there on, and all of it is used");
   }
+  for (const std::string& frame : options.sometimes) wanted.frames.push_back(*find(frame));
+  const RecordedTimes usable = hasOwnClock() && !options.duration ? all : part;
+  timeline->used = usable.end - usable.start;
+  timeline->costs = frameCosts(tree_, wanted, usable);
   return *std::move(timeline);
 }
 
@@ -180,6 +211,15 @@ void BagMotion::report(const std::vector<FrameId>& frames, base::Diagnostics& di
     if (std::find(used.begin(), used.end(), finding.child) == used.end()) continue;
     diagnostics.warning("", finding.message);
   }
+}
+
+bool BagMotion::isInHole(FrameId frame, Stamp time,
+                         const std::optional<Duration>& max_tf_gap) const {
+  if (global_ == kNoFrame || frame == kNoFrame) return false;
+  const std::vector<FrameId> links = tree_.connection(global_, frame, time).links;
+  return std::any_of(links.begin(), links.end(), [&](FrameId child) {
+    return isForbidden(tree_.link(child), time, max_tf_gap);
+  });
 }
 
 std::string BagMotion::whenKnown(FrameId frame) const {

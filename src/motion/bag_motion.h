@@ -76,6 +76,8 @@ class BagMotion : public FrameSource {
   void report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const override;
 
   [[nodiscard]] std::string whenKnown(FrameId frame) const override;
+  [[nodiscard]] bool isInHole(FrameId frame, Stamp time,
+                              const std::optional<Duration>& max_tf_gap) const override;
 
  private:
   [[nodiscard]] std::vector<FrameId> withAncestors(std::vector<FrameId> frames) const;
@@ -86,6 +88,7 @@ class BagMotion : public FrameSource {
   FrameId global_ = kNoFrame;
   std::vector<std::string> notes_;
   std::vector<std::string> hints_;  ///< of other topics, where frames are missing
+  std::string lacks_static_;        ///< the same, of what is recorded but once
   std::vector<Stretch> stretches_;
   std::size_t stretch_ = 0;
   Duration clock_offset_{0};  ///< of the stamps behind the record times

@@ -64,6 +64,15 @@ class FrameSource {
     static_cast<void>(diagnostics);
   }
 
+  /// Whether a pose at this time would be interpolated across a hole that TimelineOptions forbid.
+  [[nodiscard]] virtual bool isInHole(FrameId frame, Stamp time,
+                                      const std::optional<Duration>& max_tf_gap) const {
+    static_cast<void>(frame);
+    static_cast<void>(time);
+    static_cast<void>(max_tf_gap);
+    return false;
+  }
+
   /// "; it is known from 1.000000000 s to 3.000000000 s" for the end of a message, or nothing.
   [[nodiscard]] virtual std::string whenKnown(FrameId frame) const {
     static_cast<void>(frame);

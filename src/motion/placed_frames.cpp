@@ -25,6 +25,10 @@ void PlacedFrames::place(FrameId frame, const std::optional<Pose>& X_GF) {
   placed_.insert_or_assign(frame, X_GF);
 }
 
+void PlacedFrames::forgetInHoles(FrameId frame, const std::optional<Duration>& max_tf_gap) {
+  without_holes_.insert_or_assign(frame, max_tf_gap);
+}
+
 bool PlacedFrames::isPlaced(const std::string& frame) const {
   const auto id = find(frame);
   return id && placed_.count(*id) != 0;
@@ -33,7 +37,11 @@ bool PlacedFrames::isPlaced(const std::string& frame) const {
 std::optional<Pose> PlacedFrames::pose(FrameId frame, Stamp time) const {
   const auto placed = placed_.find(frame);
   if (placed != placed_.end()) return placed->second;
-  return isOfOthers(frame) ? others_->pose(frame, time) : std::nullopt;
+  if (!isOfOthers(frame)) return std::nullopt;
+  const auto forgotten = without_holes_.find(frame);
+  const bool is_known =
+      forgotten == without_holes_.end() || !others_->isInHole(frame, time, forgotten->second);
+  return is_known ? others_->pose(frame, time) : std::nullopt;
 }
 
 /// Names were added behind those of the others.

@@ -24,6 +24,10 @@ class PlacedFrames : public FrameSource {
   /// The same for a frame of names().
   void place(FrameId frame, const std::optional<Pose>& X_GF);
 
+  /// From now on a frame is not known where it would be interpolated across a hole.
+  /// @param max_tf_gap  as in TimelineOptions
+  void forgetInHoles(FrameId frame, const std::optional<Duration>& max_tf_gap);
+
   [[nodiscard]] bool isPlaced(const std::string& frame) const;
 
   [[nodiscard]] const FrameNames& names() const override { return *names_; }
@@ -40,7 +44,8 @@ class PlacedFrames : public FrameSource {
 
   std::shared_ptr<const FrameSource> others_;
   std::shared_ptr<FrameNames> names_;  ///< those of the others, and those that are placed
-  std::map<FrameId, std::optional<Pose>> placed_;  ///< X_GF
+  std::map<FrameId, std::optional<Pose>> placed_;             ///< X_GF
+  std::map<FrameId, std::optional<Duration>> without_holes_;  ///< the longest gap of each
 };
 
 /// The motion of scenes that are placed at random: it has nothing but the global frame, and as many

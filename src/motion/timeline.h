@@ -22,6 +22,10 @@ struct TimelineOptions {
   /// ends. Nothing: of each frame the larger of 10 s and 20 median periods.
   std::optional<Duration> max_tf_gap;
 
+  /// Frames that scenes need not know: they are made without what these move. The source has to
+  /// have them.
+  std::vector<std::string> sometimes = {};
+
   /// Instead of regular times, those at which there is something recorded; ascending.
   std::optional<std::vector<Stamp>> stamps;
 
@@ -32,6 +36,13 @@ struct TimelineOptions {
   std::function<Duration(std::int64_t index)> jitter;
 };
 
+/// A frame that is not known in all of the part of the recording that is used.
+struct FrameCost {
+  std::string frame;
+  Duration unknown{0};  ///< for how long
+  std::string why;      ///< "TF has 'odom' in 'map' from 1.000 s to 3.000 s", the link to blame
+};
+
 /// The times of all scenes of a run, found before the first one is made.
 struct Timeline {
   std::vector<Stamp> stamps;          ///< of the scenes to make, ascending
@@ -39,6 +50,8 @@ struct Timeline {
   std::int64_t left_out_gap = 0;      ///< scenes left out because of max_tf_gap
   std::int64_t left_out_unknown = 0;  ///< scenes left out because a transform was not known
   std::int64_t left_out_split = 0;    ///< scenes left out in gaps between splits
+  Duration used{0};                   ///< of the recording: what could have scenes
+  std::vector<FrameCost> costs;       ///< of a recording's frames, those of `sometimes` as well
   base::Diagnostics diagnostics;      ///< what the user should know: holes in the recording, ...
   bool is_recorded = true;            ///< else the times only number scenes that have nothing to
                                       ///< do with one another

@@ -63,6 +63,10 @@ Duration longestGapOf(const LinkHistory& link) {
   return std::max(kLeast, kPeriods * link.medianPeriod());
 }
 
+bool isTooLong(const Gap& gap, Duration usual, const std::optional<Duration>& max_tf_gap) {
+  return gap.length() > max_tf_gap.value_or(usual) && !gap.is_still;
+}
+
 bool Holes::forbid(const std::set<FrameId>& links, Stamp time) {
   bool is_forbidden = false;
   for (const FrameId child : links) {
@@ -73,7 +77,7 @@ bool Holes::forbid(const std::set<FrameId>& links, Stamp time) {
     const Duration longest = options_.max_tf_gap.value_or(usual);
     if (gap->length() <= std::min(longest, usual)) continue;
     Hole& hole = holes_.try_emplace({child, gap->from}, Hole{*gap}).first->second;
-    hole.is_forbidden = gap->length() > longest && !gap->is_still;
+    hole.is_forbidden = isTooLong(*gap, usual, options_.max_tf_gap);
     ++hole.scenes;
     is_forbidden = is_forbidden || hole.is_forbidden;
   }
@@ -246,6 +250,11 @@ std::optional<RecordedTimes> knownTimes(const FrameTree& tree, const FramesToKno
   if (!first) return std::nullopt;
   const auto last = lastKnown(connections, part.end, *first - kTick, kTick);
   return RecordedTimes{*first, last.value_or(*first)};
+}
+
+bool isForbidden(const LinkHistory& link, Stamp time, const std::optional<Duration>& max_tf_gap) {
+  const auto gap = link.gapAt(time);
+  return gap && isTooLong(*gap, longestGapOf(link), max_tf_gap);
 }
 
 std::vector<std::string> optionErrors(const RecordedTimes& recorded,

@@ -16,6 +16,10 @@ struct FramesToKnow {
   std::vector<FrameId> frames;
 };
 
+/// Whether a link's pose at a time is interpolated across a longer gap than the options allow.
+[[nodiscard]] bool isForbidden(const LinkHistory& link, Stamp time,
+                               const std::optional<Duration>& max_tf_gap);
+
 /// What is wrong with the options: they leave nothing of the recording, ...
 [[nodiscard]] std::vector<std::string> optionErrors(const RecordedTimes& recorded,
                                                     const TimelineOptions& options);

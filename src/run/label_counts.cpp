@@ -16,7 +16,7 @@ std::string whyNot(const RunSummary::Object& object) {
   if (object.scenes_counted > 0 && object.scenes_seen == 0) {
     return "not a pixel is seen in " + in_view +
            " in which the box is in view (does something stand before the camera, is the camera "
-           "inside of a model, or the object too small?)";
+           "inside of a model, or the object too small, or beyond camera/far?)";
   }
   return "too little is seen in " + in_view + " in view (labels/min_pixels, labels/min_visibility)";
 }

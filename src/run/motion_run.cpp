@@ -59,6 +59,19 @@ std::vector<lidar::LinkLabel> linkLabels(const MotionSetup& motion) {
   return labels;
 }
 
+/// Warns of objects in view that are not drawn, as they are farther away than the camera sees.
+void warnOfFar(const Scene& scene, std::vector<base::Warning>& warnings) {
+  for (const SceneObject& object : scene.objects) {
+    if (!object.X_CO || !object.in_view) continue;
+    const double radius = 0.5 * object.cuboid_O.size().norm();
+    const double nearest = (*object.X_CO * object.cuboid_O.centre()).z() - radius;
+    if (nearest <= scene.camera.far()) continue;
+    warnings.push_back({"'" + object.name + "' is in view, and beyond camera/far, " +
+                            fixed(scene.camera.far(), 0) + " m: nothing of it is drawn",
+                        "in scene '" + scene.name + "' it is " + fixed(nearest, 0) + " m away"});
+  }
+}
+
 }  // namespace
 
 MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Requirements& requirements)
@@ -242,6 +255,7 @@ MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, 
                    {},
                    drawsOf(camera, instant)};
   scene.seen.scene.split = splits_.at(instant);
+  warnOfFar(scene.seen.scene, pending_warnings_);
   if (motion_.surfaces) {
     scene.measured = motion_.surfaces->seenBy(camera, *motion_.world, stamp, scene.seen.scene.X_GC);
   }

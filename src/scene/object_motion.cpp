@@ -31,7 +31,8 @@ ObjectMotion::ObjectMotion(const motion::FrameSource& frames,
     : frames_(frames) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const ObjectOptions& object = objects[i];
-    objects_.push_back({object.name, frames.find(object.frame).value_or(motion::kNoFrame)});
+    objects_.push_back({object.name, frames.find(object.frame).value_or(motion::kNoFrame),
+                        object.when_unknown == WhenUnknown::kAbsent});
     for (std::size_t variant = 0; variant < driven[i].size(); ++variant) {
       const auto own = label::linksAt(label::linksOfVariant(i, variant, links), links);
       variants_.push_back(makeVariant(i, own, driven[i][variant]));
@@ -56,7 +57,8 @@ ObjectMotion::Variant ObjectMotion::makeVariant(std::size_t object,
 }
 
 const std::optional<Pose>& ObjectMotion::objectPose(Object& object, Stamp time) const {
-  if (const auto X_GO = frames_.pose(object.frame, time)) object.X_GO = X_GO;
+  const auto X_GO = frames_.pose(object.frame, time);
+  if (X_GO || object.may_be_absent) object.X_GO = X_GO;
   return object.X_GO;
 }
 

@@ -13,8 +13,8 @@
 namespace synthetic_dataset::scene {
 
 /// Where objects and their links are, between scenes too: where their frames are, or, over a gap,
-/// where they were; a link whose frame is not known keeps its last pose relative to the link that
-/// it hangs on, at first that of the model at rest.
+/// where they were, unless they are absent then (WhenUnknown); a link whose frame is not known
+/// keeps its last pose relative to the link that it hangs on, at first that of the model at rest.
 class ObjectMotion {
  public:
   /// @param frames  has to outlive this
@@ -25,7 +25,7 @@ class ObjectMotion {
                const std::vector<std::vector<DrivenLinks>>& driven);
 
   /// @param moving_object  an object, or one of its variants: its index among all of them
-  /// @return nothing while its frame has not been known yet
+  /// @return nothing while its frame has not been known yet, or while it is absent
   [[nodiscard]] std::optional<world::ObjectPose> at(int moving_object, Stamp time);
 
   /// X_GO of all objects; nothing for those whose frames have not been known yet.
@@ -44,6 +44,7 @@ class ObjectMotion {
   struct Object {
     std::string name;
     motion::FrameId frame;
+    bool may_be_absent;             ///< where it is not known, rather than where it was
     std::optional<Pose> X_GO = {};  ///< last known
   };
   struct Variant {

@@ -27,6 +27,12 @@ struct LinkFrames {
   std::map<std::string, std::string> by_link;  ///< where not empty: these frames, and no others
 };
 
+/// What becomes of a recording's scenes at whose time an object's frame is not known.
+enum class WhenUnknown {
+  kSkipScene,  ///< they are not made
+  kAbsent,     ///< they are made without the object
+};
+
 struct ObjectOptions {
   std::string name;
   std::string class_text;            ///< `class` as text: a name, or a class's number
@@ -37,6 +43,7 @@ struct ObjectOptions {
   bool is_distractor = false;        ///< put somewhere now and then; these come last
   std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
   bool frame_is_given = false;       ///< as a whole, by `frame`
+  WhenUnknown when_unknown = WhenUnknown::kSkipScene;
   LinkFrames link_frames;            ///< of an articulated model
   bool stands = false;               ///< in the world; its frame is a name of our own then
   std::optional<Pose> X_GM;          ///< where it stands; none: where the world has its model

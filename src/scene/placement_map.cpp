@@ -27,11 +27,14 @@ motion::RecordedMap topicsMap(const SceneOptions& config) {
 
 }  // namespace
 
-randomize::OccupancyMap readPlacementMap(const SceneOptions& config) {
+randomize::OccupancyMap readPlacementMap(const SceneOptions& config,
+                                         base::Diagnostics& diagnostics) {
   const randomize::PlacementOptions& placement = config.placement;
   if (placement.map_file) {
     try {
-      return randomize::readMapFile(*placement.map_file);
+      return randomize::readMapFile(*placement.map_file, [&](const std::string& found) {
+        diagnostics.warning("placement/map", found);
+      });
     } catch (const ErrorList&) {
       throw;
     } catch (const Error& error) {

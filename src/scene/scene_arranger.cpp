@@ -120,7 +120,7 @@ void SceneArranger::setUpPlacer(const SceneOptions& config,
   if (on_map && !config.placement.map_file && !config.placement.map_topic)
     return;  // reported already
   std::optional<randomize::OccupancyMap> map;
-  if (on_map) map = readPlacementMap(config);
+  if (on_map) map = readPlacementMap(config, diagnostics);
   randomize::PlacementOptions options = config.placement;
   const bool on_ground = options.mode == randomize::PlacementMode::kGround;
   if (on_ground && !options.area) options.area = groundArea(world_);
@@ -193,10 +193,11 @@ std::vector<Cuboid> SceneArranger::objectBoxes(Stamp stamp) const {
   std::vector<Cuboid> boxes_G;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i].takes_part) continue;
-    const Pose X_GO = frames_.knownPose(object_frames_[i], stamp);
+    const auto X_GO = frames_.pose(object_frames_[i], stamp);
+    if (!X_GO) continue;
     std::vector<Eigen::Vector3d> corners_G;
     for (const Eigen::Vector3d& corner : boxes_O_[i][world_.variant(i)].corners()) {
-      corners_G.emplace_back(X_GO * corner);
+      corners_G.emplace_back(*X_GO * corner);
     }
     boxes_G.push_back(boxAround(corners_G));
   }
@@ -207,11 +208,12 @@ std::vector<base::Warning> SceneArranger::placeCameras(std::int64_t instant, Sta
   if (cameras_.empty()) return {};
   std::vector<randomize::CameraTarget> targets;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (!objects_[i].takes_part) continue;
+    const auto X_GO = frames_.pose(object_frames_[i], stamp);
+    if (!objects_[i].takes_part || !X_GO) continue;
     const Cuboid& box_O = boxes_O_[i][world_.variant(i)];
     const Eigen::Vector3d centre_O = 0.5 * (box_O.low + box_O.high);
-    targets.push_back({objects_[i].name, frames_.knownPose(object_frames_[i], stamp) * centre_O,
-                       world_.isPresent(i), (box_O.high - box_O.low).norm()});
+    targets.push_back(
+        {objects_[i].name, *X_GO * centre_O, world_.isPresent(i), (box_O.high - box_O.low).norm()});
   }
   std::vector<base::Warning> warnings;
   for (const SampledCamera& camera : cameras_) {

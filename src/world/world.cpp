@@ -179,13 +179,19 @@ void World::Impl::addDistractor(Model model, base::Diagnostics& errors) {
 
 void World::Impl::moveObjects(Stamp time, const ObjectPoseAt& motion) {
   int index = 0;
+  bool has_changed = false;
   for (Object& object : objects) {
+    bool is_somewhere = false;
     for (Variant& variant : object.variants) {
       const std::vector<std::optional<Pose>> X_WB =
           bodyPoses(variant.moving, index++, time, motion);
       for (std::size_t i = 0; i < X_WB.size(); ++i) variant.bodies[i].X_WB = X_WB[i];
+      is_somewhere = is_somewhere || X_WB.front();
     }
+    has_changed = has_changed || is_somewhere != object.is_somewhere;
+    object.is_somewhere = is_somewhere;
   }
+  if (has_changed) updatePresentLinks();
 }
 
 /// The poses of all bodies that collide: inactive variants do not, and
@@ -219,7 +225,8 @@ void World::Impl::updatePresentLinks() {
   for (const Object& object : objects) {
     for (const Variant& variant : object.variants) {
       const bool is_active = &variant == &object.variants[object.active];
-      setPresentLinks(variant.moving.model, variant.first_link, object.is_present && is_active);
+      setPresentLinks(variant.moving.model, variant.first_link,
+                      object.is_present && object.is_somewhere && is_active);
     }
   }
 }

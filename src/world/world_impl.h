@@ -46,6 +46,7 @@ struct World::Impl {
     const Model* of_world = nullptr;  ///< that is it: static, or a prop's
     std::size_t active = 0;           ///< index of the variant that is seen and touched
     bool is_present = true;
+    bool is_somewhere = true;  ///< rather than not known now
   };
 
   struct Distractor {

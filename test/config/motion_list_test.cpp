@@ -245,8 +245,8 @@ TEST(ReadMotions, LetsAnObjectHaveAnotherFrame) {
 TEST(ReadMotions, LetsAnObjectBeNothingElse) {
   EXPECT_THAT(errorsOf("[{rover: {class: truck}}]"),
               ElementsAre("motions/0/rover/class: an object is the same in all motions, but for "
-                          "frame, frame_id, link_frames and safety_radius; it should stand in the "
-                          "run's group 'rover'"));
+                          "frame, frame_id, link_frames, safety_radius and when_unknown; it should "
+                          "stand in the run's group 'rover'"));
   EXPECT_THAT(errorsOf("[{rover: car}]"),
               ElementsAre("motions/0/rover: found a text; it should be a group of settings"));
 }

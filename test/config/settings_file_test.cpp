@@ -216,6 +216,15 @@ TEST_F(IncludedSettings, MayBeNone) {
   EXPECT_EQ(load("my.yaml"), (Map{{"a", 1}}));
 }
 
+TEST(SettingsFromOutside, MoveTheWritersFoldersWithTheDatasets) {
+  Map settings{{"yolo", Map{{"output_folder", "/old/yolo"}, {"main_list", "list.txt"}}}};
+  overrideBy({{"simulated_rate", 2.0}}, settings);
+  EXPECT_EQ(groupIn(settings, "yolo")->count("output_folder"), 1U);
+  overrideBy({{"output_folder", "/new"}}, settings);
+  EXPECT_EQ(groupIn(settings, "yolo")->count("output_folder"), 0U);
+  EXPECT_EQ(groupIn(settings, "yolo")->count("main_list"), 1U);
+}
+
 TEST_F(IncludedSettings, AreNotAFileThatIncludesItself) {
   folder.write("my.yaml", "include: my.yaml");
   EXPECT_EQ(errorOf("my.yaml"), path("my.yaml") + ": include: found a file that includes itself");

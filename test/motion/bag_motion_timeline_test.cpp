@@ -283,5 +283,48 @@ TEST(Timeline, RefusesMoreScenesThanFileNamesCanNumber) {
               AllOf(HasSubstr("1000000000 scenes"), HasSubstr("lower the rate")));
 }
 
+TEST(Timeline, SaysWhatAFrameCostsAndWhichLinkIsToBlame) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "odom", 1000, 3000);
+    moveAlongX(bag, "odom", "alpha", 1000, 9000);
+    moveAlongX(bag, "map", "bravo", 1000, 9000);
+  });
+  const Timeline timeline = motion.timeline({"alpha", "bravo"}, everyMilliseconds(500));
+  EXPECT_EQ(timeline.used, milliseconds(8000));
+  ASSERT_THAT(timeline.costs, SizeIs(1));
+  EXPECT_EQ(timeline.costs[0].frame, "alpha");
+  EXPECT_EQ(timeline.costs[0].unknown, milliseconds(6000));
+  EXPECT_THAT(timeline.costs[0].why,
+              HasSubstr("TF has 'odom' in 'map' from 1.000000000 s to 3.000000000 s"));
+}
+
+TEST(Timeline, GoesOnWithoutFramesThatNeedNotBeKnown) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "alpha", 1000, 9000);
+    moveAlongX(bag, "map", "person", 4000, 5000);
+  });
+  TimelineOptions options = everyMilliseconds(500);
+  options.sometimes = {"person"};
+  const Timeline timeline = motion.timeline({"alpha"}, options);
+  EXPECT_THAT(timeline.stamps, SizeIs(16));
+  ASSERT_THAT(timeline.costs, SizeIs(1));
+  EXPECT_EQ(timeline.costs[0].unknown, milliseconds(7000));
+  options.sometimes = {"persom"};
+  EXPECT_THAT(test::messagesOf([&] { (void)motion.timeline({"alpha"}, options); }),
+              ElementsAre(AllOf(HasSubstr("frame 'persom' is not in the recording"),
+                                HasSubstr("'person'"))));
+}
+
+TEST(Timeline, KnowsWhereAPoseWouldBeInterpolatedAcrossAHole) {
+  const BagMotion motion = recorded([](BagBuilder& bag) {
+    moveAlongX(bag, "map", "person", 1000, 2000);
+    moveAlongX(bag, "map", "person", 30000, 31000);
+  });
+  const FrameId person = *motion.find("person");
+  EXPECT_FALSE(motion.isInHole(person, milliseconds(1550), std::nullopt));
+  EXPECT_TRUE(motion.isInHole(person, milliseconds(9000), std::nullopt));
+  EXPECT_FALSE(motion.isInHole(person, milliseconds(9000), Duration::max()));
+}
+
 }  // namespace bag_motion_timeline_test
 }  // namespace synthetic_dataset::motion

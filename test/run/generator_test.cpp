@@ -403,5 +403,52 @@ TEST_F(GeneratorTest, FindsAllErrorsAtOnceAndLeavesTheDiskAlone) {
   EXPECT_FALSE(fs::exists(run.folder() / "out"));
 }
 
+/// The bag of a run in which alpha comes for a quarter of the second.
+void letAlphaComeAndGo(const TinyRun& run) {
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  bag.fix("map", "bravo/base_link", test::milliseconds(1000), test::poseAt(0, 1, 0));
+  for (int i = 0; i <= 5; ++i) {
+    bag.move("map", "alpha/base_link", test::milliseconds(1450 + 50 * i),
+             test::poseAt(0, 0.05 * i, 0));
+  }
+  bag.say("/other", test::milliseconds(1000)).say("/other", test::milliseconds(2000)).close();
+}
+
+TEST_F(GeneratorTest, SaysWhichObjectCostsMostOfTheRecording) {
+  letAlphaComeAndGo(run);
+  parameters["simulated_rate"] = Value(8.0);
+  const RunSummary summary = generate();
+  EXPECT_EQ(summary.scenes, 1);
+  std::vector<std::string> warnings;
+  for (const auto& [warning, count] : summary.warnings) warnings.push_back(warning);
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("alpha: no scene is made in 0.8 s of the "
+                                                 "recording's 1.0 s"),
+                                       HasSubstr("TF has 'alpha/base_link' in 'map' from 1.45"),
+                                       HasSubstr("`when_unknown: absent` in the group alpha"))));
+}
+
+TEST_F(GeneratorTest, MakesScenesWithoutAnObjectThatMayBeAbsent) {
+  letAlphaComeAndGo(run);
+  parameters["simulated_rate"] = Value(8.0);
+  (*parameters.at("alpha").as<Value::Map>())["when_unknown"] = Value("absent");
+  EXPECT_EQ(generate().scenes, 8);
+  const auto labels = files();
+  EXPECT_EQ(labels.at("yolo/00000000.txt").find("alpha"), std::string::npos);
+  const cv::Mat without = cv::imread(folder + "/yolo/00000000.jpg");
+  const cv::Mat with = cv::imread(folder + "/yolo/00000004.jpg");
+  ASSERT_FALSE(without.empty() || with.empty());
+  EXPECT_GT(cv::norm(without, with, cv::NORM_INF), 50.0) << "alpha is in one of them alone";
+}
+
+TEST_F(GeneratorTest, PassesOverStrangeNamesInAFileOfTheOriginal) {
+  parameters["cmd_vel_topic"] = Value("/cmd_vel");
+  EXPECT_THAT(errors(), ElementsAre(HasSubstr("cmd_vel_topic: unknown parameter")));
+  (*parameters.at("yolo").as<Value::Map>())["output_folder"] = Value(folder + "/labels");
+  std::vector<std::string> warnings;
+  for (const auto& [warning, count] : generate().warnings) warnings.push_back(warning);
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("cmd_vel_topic: unknown parameter"),
+                                       HasSubstr("it is passed over"))));
+}
+
 }  // namespace generator_test
 }  // namespace synthetic_dataset::run

@@ -84,5 +84,13 @@ TEST_F(ObjectMotionTest, LeavesALinkWhereItIsOnItsParentAndReportsThatOnceATime)
   EXPECT_THAT(alpha.takeGaps(), SizeIs(1));  // whatever was taken before: another scene's
 }
 
+TEST_F(ObjectMotionTest, IsNowhereWhileAnObjectThatMayBeAbsentIsNotKnown) {
+  options_.when_unknown = WhenUnknown::kAbsent;
+  ObjectMotion alpha = motion();
+  EXPECT_TRUE(alpha.at(0, milliseconds(1500)));
+  EXPECT_FALSE(alpha.at(0, milliseconds(2500)));
+  EXPECT_FALSE(alpha.objectPoses(milliseconds(2500)).front());
+}
+
 }  // namespace object_motion_test
 }  // namespace synthetic_dataset::scene

@@ -4,6 +4,7 @@
 
 #include <boost/make_shared.hpp>
 
+#include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
@@ -187,6 +188,16 @@ BagBuilder& BagBuilder::locate(const std::string& topic, const std::string& pare
   message.header.frame_id = parent;
   message.header.stamp = toRosTime(stamp);
   message.pose = toMessage(X_PC);
+  impl_->bag.write(topic, toRosTime(stamp), message);
+  return *this;
+}
+
+BagBuilder& BagBuilder::locateAll(const std::string& topic, const std::string& parent, Stamp stamp,
+                                  const std::vector<Pose>& poses) {
+  geometry_msgs::PoseArray message;
+  message.header.frame_id = parent;
+  message.header.stamp = toRosTime(stamp);
+  for (const Pose& X_PC : poses) message.poses.push_back(toMessage(X_PC));
   impl_->bag.write(topic, toRosTime(stamp), message);
   return *this;
 }

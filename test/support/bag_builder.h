@@ -61,6 +61,10 @@ class BagBuilder {
   BagBuilder& locate(const std::string& topic, const std::string& parent, Stamp stamp,
                      const Pose& X_PC);
 
+  /// A geometry_msgs/PoseArray, recorded at its stamp.
+  BagBuilder& locateAll(const std::string& topic, const std::string& parent, Stamp stamp,
+                        const std::vector<Pose>& poses);
+
   /// A sensor_msgs/JointState, recorded at its stamp.
   BagBuilder& bend(const std::string& topic, Stamp stamp,
                    const std::map<std::string, double>& positions);

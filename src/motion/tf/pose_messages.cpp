@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
+#include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
@@ -37,6 +39,17 @@ Transforms readOdometry(const Message& message, const std::string& frame) {
 Transforms readPose(const Message& message, const std::string& frame) {
   const auto pose = message.instantiate<geometry_msgs::PoseStamped>();
   return {transformOf(pose->header, frame, pose->pose)};
+}
+
+/// The poses of several things, which have no names: "person_0", "person_1", ... in their order.
+Transforms readPoses(const Message& message, const std::string& frame) {
+  const auto poses = message.instantiate<geometry_msgs::PoseArray>();
+  Transforms transforms;
+  for (const geometry_msgs::Pose& pose : poses->poses) {
+    const std::string name = frame + "_" + std::to_string(transforms.size());
+    transforms.push_back(transformOf(poses->header, name, pose));
+  }
+  return transforms;
 }
 
 Transforms readPoseWithCovariance(const Message& message, const std::string& frame) {
@@ -76,11 +89,13 @@ std::string md5sumOf() {
 }  // namespace
 
 const std::vector<PoseMessage>& poseMessages() {
+  using geometry_msgs::PoseArray;
   using geometry_msgs::PoseStamped;
   using geometry_msgs::PoseWithCovarianceStamped;
   static const std::vector<PoseMessage> kMessages{
       {"nav_msgs/Odometry", md5sumOf<nav_msgs::Odometry>(), true, true, readOdometry},
       {"geometry_msgs/PoseStamped", md5sumOf<PoseStamped>(), false, true, readPose},
+      {"geometry_msgs/PoseArray", md5sumOf<PoseArray>(), false, false, readPoses},
       {"geometry_msgs/PoseWithCovarianceStamped", md5sumOf<PoseWithCovarianceStamped>(), false,
        true, readPoseWithCovariance},
       {"geometry_msgs/TransformStamped", md5sumOf<Transform>(), true, true, readTransform},

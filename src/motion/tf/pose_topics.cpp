@@ -1,6 +1,7 @@
 #include "motion/tf/pose_topics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -43,6 +44,52 @@ std::string readableTypes() {
   for (const PoseMessage& message : poseMessages()) types.push_back(message.type);
   return base::listed(types);
 }
+
+/// Joint states between those that were recorded, where a joint turns so far from one to the next
+/// that the shorter way between its poses would be the wrong one.
+class DenseJoints {
+ public:
+  /// @param unwrapped  joints whose angles go on counting beyond a turn; the angles of others jump
+  ///     by a turn, and mean the shorter way
+  explicit DenseJoints(std::set<std::string> unwrapped) : unwrapped_(std::move(unwrapped)) {}
+
+  /// The states up to this one, after the one that came before it.
+  std::vector<sensor_msgs::JointState> upTo(const sensor_msgs::JointState& message) {
+    constexpr double kFar = 0.9 * 3.141592653589793;  // [rad]; slerp takes half a turn either way
+    constexpr double kStep = 1.0;                     // [rad]
+    constexpr double kMost = 1000.0;                  // states; a propeller's are not worth more
+    double farthest = 0.0;
+    std::vector<double> from(message.position.begin(), message.position.end());
+    const std::size_t count = std::min(message.name.size(), message.position.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [last, is_first] = last_.emplace(message.name[i], message.position[i]);
+      if (is_first || unwrapped_.count(message.name[i]) == 0) continue;
+      from[i] = last->second;
+      farthest = std::max(farthest, std::abs(message.position[i] - from[i]));
+    }
+    std::vector<sensor_msgs::JointState> states;
+    const double steps = farthest > kFar ? std::min(std::ceil(farthest / kStep), kMost) : 1.0;
+    for (double step = 1.0; step < steps && message.header.stamp > stamp_; ++step) {
+      sensor_msgs::JointState state = message;
+      const double share = step / steps;
+      state.header.stamp = stamp_ + (message.header.stamp - stamp_) * share;
+      for (std::size_t i = 0; i < count; ++i) {
+        state.position[i] = from[i] + share * (message.position[i] - from[i]);
+        if (unwrapped_.count(message.name[i]) == 0) state.name[i].clear();  // as it was recorded
+      }
+      states.push_back(std::move(state));
+    }
+    for (std::size_t i = 0; i < count; ++i) last_[message.name[i]] = message.position[i];
+    stamp_ = message.header.stamp;
+    states.push_back(message);
+    return states;
+  }
+
+ private:
+  std::set<std::string> unwrapped_;
+  std::map<std::string, double> last_;
+  ros::Time stamp_;
+};
 
 }  // namespace
 
@@ -103,7 +150,7 @@ void PoseTopics::nameTopic(const PoseTopic& named, const std::vector<JointedRobo
                   ") do not name the frame that they move; {topic: " + named.topic +
                   ", frame: NAME} does");
     }
-    if (!message->moves_one_frame && named.frame) {
+    if (message->names_frames && !message->moves_one_frame && named.frame) {
       throw Error("found the frame '" + *named.frame + "' of '" + named.topic +
                   "', whose messages (" + topic.type + ") move many frames that they name");
     }
@@ -207,7 +254,7 @@ void PoseTopics::choose(const std::string& frame, const std::vector<Source>& sou
 void PoseTopics::readOnlyPose(const std::string& frame) {
   std::vector<Source> sources;
   for (const Source& source : unreadSources()) {
-    if (source.message->names_frames) continue;
+    if (source.message->names_frames || !source.message->moves_one_frame) continue;
     sources.push_back(source);
     hints_.push_back("the messages of " + described(source.topic) +
                      " do not name the frame that they move; pose_topics: [{topic: " +
@@ -224,10 +271,15 @@ std::set<std::string> PoseTopics::jointsOf(const std::string& topic) {
   const auto known = joints_.find(topic);
   if (known != joints_.end()) return known->second;
   std::set<std::string>& names = joints_[topic];
+  constexpr double kTurn = 2.0 * 3.141592653589793;  // [rad]
   const auto look = [&](const BagMessage& message) {
     const auto joints = message.instantiate<RecordedJoints>();
     const auto& all = joints->message.name;
-    if (!joints->message.position.empty()) names.insert(all.begin(), all.end());
+    const std::vector<double>& positions = joints->message.position;
+    if (!positions.empty()) names.insert(all.begin(), all.end());
+    for (std::size_t i = 0; i < std::min(all.size(), positions.size()); ++i) {
+      if (std::abs(positions[i]) > 1.01 * kTurn) unwrapped_[topic].insert(all[i]);
+    }
     return Transforms{};
   };
   bags_.read({{topic, {TransformKind::kMoving, look}}}, [](const RecordedTransform& /*none*/) {});
@@ -245,12 +297,15 @@ void PoseTopics::readJoints(const std::string& topic, const std::vector<JointedR
       if (recording_.moves(frame)) known.insert(frame);
     }
   }
+  DenseJoints dense(unwrapped_[topic]);
   const auto read = [&](const BagMessage& message) {
     const auto joints = message.instantiate<RecordedJoints>();
     Transforms all;
-    for (const JointFrames& each : moved) {
-      for (const auto& transform : each.transforms(joints->message)) {
-        if (known.count(transform.child_frame_id) == 0) all.push_back(transform);
+    for (const sensor_msgs::JointState& state : dense.upTo(joints->message)) {
+      for (const JointFrames& each : moved) {
+        for (const auto& transform : each.transforms(state)) {
+          if (known.count(transform.child_frame_id) == 0) all.push_back(transform);
+        }
       }
     }
     return all;

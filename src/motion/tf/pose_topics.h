@@ -66,7 +66,8 @@ class PoseTopics {
   BagReader& bags_;
   TransformRecording& recording_;
   std::set<std::string> read_;
-  std::map<std::string, std::set<std::string>> joints_;  ///< by topic
+  std::map<std::string, std::set<std::string>> joints_;     ///< by topic
+  std::map<std::string, std::set<std::string>> unwrapped_;  ///< of these: they turn on and on
   std::vector<std::string> notes_;
   std::vector<std::string> hints_;
 };

@@ -80,6 +80,45 @@ std::string timesText(const Validity& times, Stamp start) {
   return exact + " (" + relative + " after the recording's start)";
 }
 
+/// How much of a part some times make up.
+Duration lengthIn(const RecordedTimes& part, const std::vector<Validity>& times) {
+  Duration length{0};
+  for (const Validity& each : times) {
+    const Stamp from = std::max(each.from, part.start);
+    length += std::max(Duration{0}, std::min(each.until, part.end) - from);
+  }
+  return length;
+}
+
+/// The times at which a frame has a parent.
+std::vector<Validity> linkedTimes(const LinkHistory& link) {
+  std::vector<Validity> times;
+  for (Stamp time = Stamp::min();;) {
+    const LinkHistory::Parent parent = link.parentAt(time);
+    if (parent.frame != kNoFrame) times.push_back(parent.validity);
+    if (parent.validity.until == Stamp::max()) return times;
+    time = parent.validity.until + Duration{1};
+  }
+}
+
+/// "TF has 'odom' in 'map' from 1.000 s to 3.000 s": of the links that lead to a frame, the one
+/// that is known the shortest.
+std::string linkToBlame(const FrameTree& tree, FrameId global, FrameId frame, Stamp known,
+                        const RecordedTimes& part) {
+  std::string text;
+  Duration shortest = Duration::max();
+  for (const FrameId child : tree.connection(global, frame, known).links) {
+    const std::vector<Validity> times = linkedTimes(tree.link(child));
+    const Duration length = lengthIn(part, times);
+    if (length >= shortest) continue;
+    shortest = length;
+    text = "TF has '" + tree.names().of(child) + "' in '" +
+           tree.names().of(tree.link(child).parentAt(known).frame) + "' " +
+           stretchesText(times, part.start);
+  }
+  return text;
+}
+
 std::string whenKnown(const FrameTree& tree, FrameId global, FrameId frame,
                       const RecordedTimes& recorded) {
   const std::string names = "frame '" + tree.names().of(frame) + "' can be transformed into '" +
@@ -127,6 +166,19 @@ std::string stretchesText(const std::vector<Validity>& times, Stamp start) {
             secondsText(times.back().until);
   }
   return list;
+}
+
+std::vector<FrameCost> frameCosts(const FrameTree& tree, const FramesToKnow& wanted,
+                                  const RecordedTimes& part) {
+  std::vector<FrameCost> costs;
+  for (const FrameId frame : wanted.frames) {
+    const std::vector<Validity> times = tree.knownTimes(wanted.global_frame, frame);
+    const Duration unknown = part.end - part.start - lengthIn(part, times);
+    if (times.empty() || unknown <= Duration{0}) continue;
+    costs.push_back({tree.names().of(frame), unknown,
+                     linkToBlame(tree, wanted.global_frame, frame, times.front().from, part)});
+  }
+  return costs;
 }
 
 std::vector<std::string> whyNoWindow(const FrameTree& tree, const FramesToKnow& wanted,

@@ -20,6 +20,11 @@ namespace synthetic_dataset::motion {
 /// recording's start)", ...
 [[nodiscard]] std::string stretchesText(const std::vector<Validity>& times, Stamp start);
 
+/// What frames that are not known all the time cost of a part of the recording; of links that are
+/// crossed, the one that is known the shortest is to blame.
+[[nodiscard]] std::vector<FrameCost> frameCosts(const FrameTree& tree, const FramesToKnow& wanted,
+                                                const RecordedTimes& part);
+
 /// Why there is no time at which all frames are known: the times of each.
 [[nodiscard]] std::vector<std::string> whyNoWindow(const FrameTree& tree,
                                                    const FramesToKnow& wanted,

@@ -172,7 +172,7 @@ int reportingErrors(const std::string& name, const std::function<int()>& work) {
 Value settingsOf(const CommandLine& command_line, const base::Remark& remark) {
   Value::Map settings = config::loadSettings(*command_line.config, run::rosPackageFinder(), remark);
   for (const auto& [name, text] : command_line.settings) {
-    config::overlay(settings, config::settingOf(name, text));
+    config::overrideBy(config::settingOf(name, text), settings);
   }
   return settings;
 }

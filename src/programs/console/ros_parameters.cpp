@@ -78,7 +78,7 @@ Value readRosParameters(const config::TextFinder& package_folder) {
                 " on the parameter server; it should be the group of this node's parameters");
   }
   Value::Map settings = takeSettingsFile(*given, package_folder);
-  config::overlay(settings, *given);
+  config::overrideBy(*given, settings);
   if (settings.count("robot_list") == 0) {
     XmlRpc::XmlRpcValue robots;
     if (ros::param::get("/robot_list", robots)) settings["robot_list"] = valueFromXmlRpc(robots);

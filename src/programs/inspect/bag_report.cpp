@@ -47,6 +47,35 @@ void printTree(const BagContents& contents, const std::string& parent, const std
   }
 }
 
+const RecordedFrame* frameOf(const BagContents& contents, const std::string& name) {
+  for (const RecordedFrame& frame : contents.frames) {
+    if (frame.name == name) return &frame;
+  }
+  return nullptr;
+}
+
+/// "; known in 2.0 s of 10.0 s, as 'odom' is in 'map'": of the links from a frame to its root the
+/// one that is known the shortest, where that costs more than a tenth of the recording.
+std::string knownText(const BagContents& contents, const std::string& name) {
+  constexpr double kMuch = 0.9;
+  const Duration whole = contents.times.end - contents.times.start;
+  Duration shortest = whole;
+  std::string link;
+  std::set<std::string> seen;  // a recording can hold loops
+  for (const RecordedFrame* frame = frameOf(contents, name);
+       frame != nullptr && seen.insert(frame->name).second;
+       frame = frameOf(contents, frame->parents.front())) {
+    Duration known{0};
+    for (const motion::RecordedTimes& each : frame->known) known += each.end - each.start;
+    if (frame->is_static || known >= shortest) continue;
+    shortest = known;
+    link = "'" + frame->name + "' is in '" + frame->parents.front() + "'";
+  }
+  if (toSeconds(shortest) >= kMuch * toSeconds(whole)) return "";
+  return "; known in " + fixed(toSeconds(shortest), 1) + " s of " + fixed(toSeconds(whole), 1) +
+         " s, as " + link + " (`when_unknown: absent` makes scenes without it)";
+}
+
 Value namesValue(const std::vector<std::string>& names) {
   Value::List list;
   for (const std::string& name : names) list.emplace_back(name);
@@ -108,7 +137,8 @@ std::string bagText(const BagContents& contents, const std::vector<ServerDescrip
     out << "camera frame: " << frame << " (camera_frame_id)\n";
   }
   for (const motion::RobotFrame& robot : motion::robotFrames(contents)) {
-    out << "robot: " << robot.name << ", whose frame is '" << robot.frame << "'\n";
+    out << "robot: " << robot.name << ", whose frame is '" << robot.frame << "'"
+        << knownText(contents, robot.frame) << '\n';
   }
   for (const motion::RecordedDescription& each : contents.descriptions) {
     out << "model: " << each.topic << " is a URDF of '" << each.robot << "' (`inspect --urdf BAG > "

@@ -12,6 +12,8 @@
 #include "base/input_file.h"
 #include "randomize/placement/map_file.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
+#include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::randomize {
 namespace {
@@ -66,6 +68,24 @@ std::vector<Cell> cellsOf(const cv::Mat& picture, const MapFile& file) {
   return cells;
 }
 
+/// The shade that map_saver and slam_toolbox give cells of which they know nothing; as a
+/// probability it is 0.196, which other programs' thresholds take for free.
+std::string unknownTakenForFree(const cv::Mat& picture, const MapFile& file) {
+  constexpr int kUnknownShade = 205;
+  if (file.mode != MapMode::kTrinary || cellOf(kUnknownShade, file) != Cell::kFree) return "";
+  std::size_t count = 0;
+  for (int row = 0; row < picture.rows; ++row) {
+    for (int column = 0; column < picture.cols; ++column) {
+      count += shadeAt(picture, row, column, picture.channels()) == kUnknownShade ? 1 : 0;
+    }
+  }
+  if (count == 0) return "";
+  const double share = 100.0 * static_cast<double>(count) / static_cast<double>(picture.total());
+  return fixed(share, 0) + " % of its cells have the shade 205 of what is unknown, and count as " +
+         "free by its free_thresh of " + Value(file.free_threshold).text() +
+         "; `free_thresh: 0.196` leaves them out";
+}
+
 cv::Mat readPicture(const std::string& file) {
   std::error_code unknown;
   if (const std::string fault = base::inputFault(file); !fault.empty()) throw Error(fault);
@@ -77,10 +97,13 @@ cv::Mat readPicture(const std::string& file) {
 
 }  // namespace
 
-OccupancyMap readMapFile(const std::string& file) {
+OccupancyMap readMapFile(const std::string& file,
+                         const std::function<void(const std::string&)>& note) {
   const MapFile map = readMapYaml(file);
   try {
     const cv::Mat picture = readPicture(map.image);
+    const std::string found = note ? unknownTakenForFree(picture, map) : "";
+    if (!found.empty()) note(file + ": " + found);
     return {static_cast<std::size_t>(picture.cols),
             static_cast<std::size_t>(picture.rows),
             map.resolution,

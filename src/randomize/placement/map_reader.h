@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "motion/recorded/recorded_map.h"
@@ -19,8 +20,11 @@ struct Thresholds {
 /// is the number that the cell has, as in a recorded map.
 ///
 /// Unlike there, a picture with a palette counts by its colours.
+/// @param note  takes what the user should know: unknown cells that count as free by the file's own
+///     thresholds
 /// @throws Error naming the file and what is wrong, ErrorList with all that is wrong with the YAML
-[[nodiscard]] OccupancyMap readMapFile(const std::string& file);
+[[nodiscard]] OccupancyMap readMapFile(const std::string& file,
+                                       const std::function<void(const std::string&)>& note = {});
 
 /// A recorded map, whose frame is the global one; move its X_FM where it is another. Its numbers
 /// from 0 to 100 are percentages, all others (-1 above all) unknown.

@@ -131,6 +131,28 @@ void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFra
   }
 }
 
+/// A camera whose frame is that of its body (x ahead, z up) looks into the sky.
+void checkOpticalFrames(const MotionSetup& motion, std::vector<Finding>& findings) {
+  constexpr double kUpwards = 0.97;  // of the optical axis: within 14 degrees
+  const auto& stamps = motion.timeline.stamps;
+  for (const scene::CameraRig& camera : motion.cameras) {
+    if (!camera.followsFrame() || camera.X_FD) continue;
+    const std::vector<std::size_t> times = evenlySpread(stamps.size(), 20);
+    const bool looks_up = std::all_of(times.begin(), times.end(), [&](std::size_t i) {
+      const auto X_GC = motion.frames->pose(camera.followed, stamps[i]);
+      return X_GC && X_GC->linear()(2, 2) > kUpwards;
+    });
+    if (!looks_up) continue;
+    findings.push_back(
+        {"body frame", camera.name,
+         "its frame '" + camera.frame +
+             "' looks straight up all the time: it seems to be the frame of the camera's body (x "
+             "ahead, z up), not the optical one (z ahead, y down) of REP 103",
+         "the frame that is named should be the optical one, often '..._optical_frame'; where "
+         "there is none, `correction: [0, 0, 0, -0.5, 0.5, -0.5, 0.5]` turns this one"});
+  }
+}
+
 /// Whether a scene differs from the one before by what is drawn for it.
 bool variesByItself(const MotionSetup& motion) {
   const randomize::Randomization& drawn = motion.config.randomization;
@@ -220,6 +242,7 @@ std::vector<Finding> checkSetup(const MotionSetup& motion) {
   const std::vector<FollowedFrame> frames = followedFrames(motion);
   checkRate(motion, frames, findings);
   checkStandingStill(motion, frames, findings);
+  checkOpticalFrames(motion, findings);
   checkEqualScenes(motion, allFrames(motion, frames), findings);
   return findings;
 }

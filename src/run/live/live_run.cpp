@@ -176,7 +176,8 @@ std::optional<LiveMap> LiveRun::placementMap() {
   const config::Config config = impl_->inputs.config();
   const bool has_map = config.placement.map_file || config.placement.map_topic;
   if (!config.isPlaced() || !has_map) return std::nullopt;
-  return pictureOf(scene::readPlacementMap(config));
+  base::Diagnostics said_by_the_run;
+  return pictureOf(scene::readPlacementMap(config, said_by_the_run));
 }
 
 ObjectPortrait LiveRun::portrait(const std::string& object, const Viewpoint& viewpoint) {

@@ -416,6 +416,8 @@ class MotionBuilder {
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
     if (config().isTwin() && !setup_.pictures) return;  // reported already
+    needWhatCamerasNeed();
+    forgetInHoles(config(), *setup_.frames);
     auto timeline = diagnostics().attempt([&] {
       std::optional<std::vector<Stamp>> stamps;
       if (setup_.pictures) stamps = setup_.pictures->stamps();
@@ -425,6 +427,38 @@ class MotionBuilder {
     if (!timeline) return;
     diagnostics().merge(timeline->diagnostics);
     setup_.timeline = std::move(*timeline);
+  }
+
+  /// Whether a camera stands or looks nowhere while an object is not known.
+  [[nodiscard]] bool needs(std::size_t camera, std::size_t object) const {
+    const scene::CameraRig& rig = setup_.cameras[camera];
+    const auto name = config().objects[object].name;
+    if (rig.looks_at && rig.looks_at->object == object) return true;
+    if (rig.is_carried && rig.followed == setup_.frames->find(config().objects[object].frame)) {
+      return true;
+    }
+    if (rig.link) {
+      return setup_.world->links()[*rig.link].object == static_cast<int>(object);
+    }
+    return std::any_of(
+        config().cameras.begin(), config().cameras.end(), [&](const scene::CameraOptions& each) {
+          return each.name == rig.name && each.sample && each.sample->look_at == name;
+        });
+  }
+
+  void needWhatCamerasNeed() {
+    for (std::size_t i = 0; i < config().objects.size(); ++i) {
+      scene::ObjectOptions& object = setup_.config.objects[i];
+      if (object.when_unknown == scene::WhenUnknown::kSkipScene) continue;
+      for (std::size_t camera = 0; camera < setup_.cameras.size(); ++camera) {
+        if (!needs(camera, i)) continue;
+        object.when_unknown = scene::WhenUnknown::kSkipScene;
+        diagnostics().note(object.name + "/when_unknown",
+                           "where it is not known, no scene is made all the same, as the camera " +
+                               setup_.cameras[camera].name + " is on it or looks at it");
+        break;
+      }
+    }
   }
 
   InputCache& inputs_;

@@ -319,7 +319,13 @@ class Builder {
     addErrors(mergedErrors(of_motions));
     addErrors(writer_errors_);
     // Writers that could not be loaded have not read theirs: nothing can be said to be unknown.
-    if (setup_.writers) addErrors(unknownParameters(list_.entries, roots_));
+    if (setup_.writers && config::hasOldForm(parameters_)) {
+      for (const std::string& each : unknownParameters(list_.entries, roots_)) {
+        diagnostics().warning("", each + "; it is passed over");
+      }
+    } else if (setup_.writers) {
+      addErrors(unknownParameters(list_.entries, roots_));
+    }
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       of_motions[i].messages = setup_.motions[i].diagnostics.messages(base::Severity::kError);
     }

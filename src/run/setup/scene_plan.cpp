@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <utility>
 
+#include "base/name_list.h"
 #include "base/seconds.h"
 #include "randomize/appearance/entry_draws.h"
 #include "synthetic_dataset/errors.h"
@@ -13,6 +15,12 @@
 namespace synthetic_dataset::run {
 namespace {
 
+/// Without, that of each frame by itself.
+std::optional<Duration> longestGap(const motion::MotionOptions& motion) {
+  if (!motion.max_tf_gap) return std::nullopt;
+  return std::isinf(*motion.max_tf_gap) ? Duration::max() : base::fromSeconds(*motion.max_tf_gap);
+}
+
 motion::TimelineOptions timelineOptions(const config::Config& config) {
   const motion::MotionOptions& motion = config.motion;
   motion::TimelineOptions options;
@@ -20,10 +28,7 @@ motion::TimelineOptions timelineOptions(const config::Config& config) {
   options.scenes = motion.scenes;
   options.start_offset = base::fromSeconds(motion.start_offset);
   if (motion.duration) options.duration = base::fromSeconds(*motion.duration);
-  if (motion.max_tf_gap) {
-    options.max_tf_gap =
-        std::isinf(*motion.max_tf_gap) ? Duration::max() : base::fromSeconds(*motion.max_tf_gap);
-  }
+  options.max_tf_gap = longestGap(motion);
   const auto& jitter = config.randomization.time_jitter;
   if (!jitter) return options;
   // By the regular time, not by the scene's number: what another frame leaves out moves no scene.
@@ -49,14 +54,26 @@ void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
       static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
 }
 
-/// Scenes during whose exposure a frame is not known, as at the recording's ends.
-void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids, Duration open,
+/// Scenes during whose exposure a frame is not known, as at the recording's ends, or, of an object
+/// that may be absent, comes or goes.
+/// @param sometimes  the frames of these
+void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids,
+                         const std::vector<motion::FrameId>& sometimes, Duration open,
                          const motion::FrameSource& frames, motion::Timeline& timeline) {
+  const auto isKnown = [&](motion::FrameId id, Stamp time) {
+    return frames.pose(id, time).has_value();
+  };
   const auto is_half_exposed = [&](Stamp stamp) {
-    return std::any_of(ids.begin(), ids.end(), [&](motion::FrameId id) {
-      return frames.pose(id, stamp) &&
-             !(frames.pose(id, stamp - open / 2) && frames.pose(id, stamp + open / 2));
-    });
+    const auto isLost = [&](motion::FrameId id) {
+      return isKnown(id, stamp) &&
+             !(isKnown(id, stamp - open / 2) && isKnown(id, stamp + open / 2));
+    };
+    const auto changes = [&](motion::FrameId id) {
+      return isLost(id) || (!isKnown(id, stamp) &&
+                            (isKnown(id, stamp - open / 2) || isKnown(id, stamp + open / 2)));
+    };
+    return std::any_of(ids.begin(), ids.end(), isLost) ||
+           std::any_of(sometimes.begin(), sometimes.end(), changes);
   };
   leaveOut(is_half_exposed, timeline);
   if (timeline.stamps.empty()) {
@@ -92,9 +109,7 @@ std::string withSetting(const std::string& message,
 /// @throws ErrorList as FrameSource::timeline, and what would mend it
 motion::Timeline findTimeline(const std::vector<std::string>& names,
                               const motion::FrameSource& frames, const config::Config& config,
-                              std::optional<std::vector<Stamp>> stamps) {
-  motion::TimelineOptions options = timelineOptions(config);
-  options.stamps = std::move(stamps);
+                              const motion::TimelineOptions& options) {
   try {
     return frames.timeline(names, options);
   } catch (const ErrorList& errors) {
@@ -111,6 +126,92 @@ motion::Timeline findTimeline(const std::vector<std::string>& names,
   }
 }
 
+/// Whether scenes are made without this object where it is not known.
+bool maybeAbsent(const scene::ObjectOptions& object) {
+  return object.when_unknown == scene::WhenUnknown::kAbsent && object.takes_part &&
+         !object.is_distractor;
+}
+
+/// Whether a camera is put where it sees some object, and all of them may be absent.
+bool needsAnObject(const config::Config& config) {
+  const auto looksAtAny = [](const scene::CameraOptions& camera) {
+    return camera.sample && !camera.sample->look_at_point_G;
+  };
+  const auto isAlwaysThere = [](const scene::ObjectOptions& object) {
+    return object.takes_part && !object.is_distractor && !maybeAbsent(object);
+  };
+  return std::any_of(config.cameras.begin(), config.cameras.end(), looksAtAny) &&
+         std::none_of(config.objects.begin(), config.objects.end(), isAlwaysThere);
+}
+
+std::string secondsOf(Duration time) { return fixed(toSeconds(time), 1) + " s"; }
+
+/// Says of each object that may be absent in how many scenes it is, and why.
+void noteAbsences(const motion::FrameSource& frames, const config::Config& config,
+                  motion::Timeline& timeline) {
+  for (const scene::ObjectOptions& object : config.objects) {
+    if (!maybeAbsent(object)) continue;
+    const auto frame = *frames.find(object.frame);
+    const auto& stamps = timeline.stamps;
+    const auto absent = std::count_if(stamps.begin(), stamps.end(),
+                                      [&](Stamp stamp) { return !frames.pose(frame, stamp); });
+    if (absent == 0) continue;
+    const auto cost = std::find_if(
+        timeline.costs.begin(), timeline.costs.end(),
+        [&](const motion::FrameCost& each) { return frames.find(each.frame) == frame; });
+    std::string text = "its frame '" + object.frame + "' is not known at " +
+                       std::to_string(absent) + " of " + std::to_string(stamps.size()) +
+                       " scenes, which are made without it";
+    if (cost != timeline.costs.end()) text += ": " + cost->why;
+    if (static_cast<std::size_t>(absent) == stamps.size()) {
+      timeline.diagnostics.warning(object.name, std::move(text));
+    } else {
+      timeline.diagnostics.note(object.name, std::move(text));
+    }
+  }
+}
+
+/// What a link of the TF tree costs, and whom.
+struct LostTime {
+  Duration unknown{0};
+  std::vector<std::string> whom;
+  std::string cures;
+};
+
+/// Says which objects' and cameras' frames, and which link of TF, cost more than a tenth of the
+/// recording.
+void warnOfLostTime(const config::Config& config, const std::vector<scene::CameraRig>& cameras,
+                    motion::Timeline& timeline) {
+  constexpr double kMuch = 0.1;
+  std::map<std::string, LostTime> by_link;
+  const auto add = [&](const std::string& frame, const std::string& name, bool is_object) {
+    for (const motion::FrameCost& cost : timeline.costs) {
+      const bool is_much = toSeconds(cost.unknown) > kMuch * toSeconds(timeline.used);
+      if (!is_much || cost.frame != motion::withoutLeadingSlashes(frame)) continue;
+      LostTime& lost = by_link[cost.why];
+      lost.unknown = std::max(lost.unknown, cost.unknown);
+      lost.whom.push_back(name);
+      if (is_object && lost.cures.empty()) lost.cures = name;
+    }
+  };
+  for (const scene::ObjectOptions& object : config.objects) {
+    if (!maybeAbsent(object)) add(object.frame, object.name, true);
+  }
+  for (const scene::CameraRig& camera : cameras) {
+    if (camera.followsFrame()) add(camera.frame, camera.name, false);
+  }
+  for (const auto& [why, lost] : by_link) {
+    timeline.diagnostics.warning(
+        base::listed(lost.whom),
+        "no scene is made in " + secondsOf(lost.unknown) + " of the recording's " +
+            secondsOf(timeline.used) + ", where it is not known where " +
+            (lost.whom.size() == 1 ? "it is" : "they are") + ": " + why +
+            (lost.cures.empty() ? ""
+                                : "; `when_unknown: absent` in the group " + lost.cures +
+                                      " makes these scenes without it"));
+  }
+}
+
 }  // namespace
 
 motion::Timeline planScenes(const motion::FrameSource& frames, const config::Config& config,
@@ -118,9 +219,13 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
                             const std::vector<lidar::LidarRig>& lidars,
                             const std::vector<std::vector<scene::DrivenLinks>>& driven_links,
                             std::optional<std::vector<Stamp>> stamps) {
+  motion::TimelineOptions options = timelineOptions(config);
+  options.stamps = std::move(stamps);
   std::vector<std::string> names;
   Duration open{0};
-  for (const scene::ObjectOptions& object : config.objects) names.push_back(object.frame);
+  for (const scene::ObjectOptions& object : config.objects) {
+    (maybeAbsent(object) ? options.sometimes : names).push_back(object.frame);
+  }
   for (const scene::CameraRig& camera : cameras) {
     if (const std::string frame = camera.neededFrame(); !frame.empty()) names.push_back(frame);
     open = std::max(open, scene::openTime(camera.shutter));
@@ -129,17 +234,40 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
     if (lidar.followsFrame()) names.push_back(lidar.frame);
     open = std::max(open, lidar::sweepTime(lidar.model));
   }
-  motion::Timeline timeline = findTimeline(names, frames, config, std::move(stamps));
+  motion::Timeline timeline = findTimeline(names, frames, config, options);
+  const auto idsOf = [&](const std::vector<std::string>& all) {
+    std::vector<motion::FrameId> ids;
+    for (const std::string& name : all) ids.push_back(*frames.find(name));
+    return ids;
+  };
+  const std::vector<motion::FrameId> sometimes = idsOf(options.sometimes);
+  if (needsAnObject(config)) {
+    leaveOut(
+        [&](Stamp stamp) {
+          return std::none_of(sometimes.begin(), sometimes.end(), [&](motion::FrameId frame) {
+            return frames.pose(frame, stamp).has_value();
+          });
+        },
+        timeline);
+  }
+  noteAbsences(frames, config, timeline);
+  warnOfLostTime(config, cameras, timeline);
   if (open.count() == 0) return timeline;
-  std::vector<motion::FrameId> ids;
-  for (const std::string& name : names) ids.push_back(*frames.find(name));
+  std::vector<motion::FrameId> ids = idsOf(names);
   for (const std::vector<scene::DrivenLinks>& object : driven_links) {
     for (const scene::DrivenLinks& variant : object) {
       for (const scene::DrivenLink& link : variant) ids.push_back(link.frame);
     }
   }
-  leaveOutHalfExposed(ids, open, frames, timeline);
+  leaveOutHalfExposed(ids, sometimes, open, frames, timeline);
   return timeline;
+}
+
+void forgetInHoles(const config::Config& config, motion::PlacedFrames& frames) {
+  for (const scene::ObjectOptions& object : config.objects) {
+    const auto frame = frames.find(object.frame);
+    if (frame && maybeAbsent(object)) frames.forgetInHoles(*frame, longestGap(config.motion));
+  }
 }
 
 Duration shortestPeriod(const config::Config& config) {

@@ -8,13 +8,16 @@
 #include "config/config.h"
 #include "lidar/lidar_rig.h"
 #include "motion/frame_source.h"
+#include "motion/placed_frames.h"
 #include "scene/articulation.h"
 #include "scene/camera_rig.h"
 
 namespace synthetic_dataset::run {
 
-/// The times at which scenes are made: those of the timeline at which objects and sensors are
-/// known, over the whole exposure of each picture and the whole sweep of each lidar.
+/// The times at which scenes are made: those of the timeline at which all sensors are known, and
+/// all objects that may not be absent, over the whole exposure of each picture and the whole sweep
+/// of each lidar. What that costs of the recording, and whose it is, is among the timeline's
+/// diagnostics.
 /// @param stamps  the times of recorded pictures, which take the place of regular ones
 /// @throws ErrorList when there is none, saying why
 [[nodiscard]] motion::Timeline planScenes(
@@ -22,6 +25,9 @@ namespace synthetic_dataset::run {
     const std::vector<scene::CameraRig>& cameras, const std::vector<lidar::LidarRig>& lidars,
     const std::vector<std::vector<scene::DrivenLinks>>& driven_links,
     std::optional<std::vector<Stamp>> stamps = std::nullopt);
+
+/// Makes objects that may be absent so where their poses would be interpolated across a hole.
+void forgetInHoles(const config::Config& config, motion::PlacedFrames& frames);
 
 /// The least time that there may be from one scene to the next.
 [[nodiscard]] Duration shortestPeriod(const config::Config& config);

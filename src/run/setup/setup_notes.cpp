@@ -32,7 +32,9 @@ void noteSubtraction(RunSetup& setup) {
 /// What hides an object is found by those writers alone that ask for it.
 void noteUnseen(RunSetup& setup) {
   const config::Config& config = setup.config;
-  if (label::looksAtPixels(setup.writers->requirements(), config.masks, config.labels)) return;
+  const Requirements& requirements = setup.writers->requirements();
+  if (requirements.silhouettes) return;  // a format of masks, which asks for pixels in its own way
+  if (label::looksAtPixels(requirements, config.masks, config.labels)) return;
   setup.diagnostics.note(
       "",
       "no writer of this run asks which pixels show an object: one that something "

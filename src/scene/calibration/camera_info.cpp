@@ -33,6 +33,9 @@ std::optional<std::array<double, kSize>> readMatrix(Parameters& root, const std:
   return result;
 }
 
+/// A driver without a calibration sends zeros; one of rectified pictures may set P alone.
+bool isUncalibrated(const std::array<double, 9>& K) { return K[0] == 0.0 && K[4] == 0.0; }
+
 CameraInfoNumbers readNumbers(Parameters& root, bool rectified) {
   CameraInfoNumbers numbers;
   if (!root.has("image_width") && !root.has("image_height")) {
@@ -48,6 +51,9 @@ CameraInfoNumbers readNumbers(Parameters& root, bool rectified) {
   } else {
     if (!root.has("camera_matrix")) (void)root.required<std::vector<double>>("camera_matrix");
     numbers.K = readMatrix<9>(root, "camera_matrix").value_or(std::array<double, 9>{});
+    if (isUncalibrated(numbers.K) && root.has("projection_matrix")) {
+      numbers.P = readMatrix<12>(root, "projection_matrix");
+    }
     numbers.D =
         root.maybe<std::vector<double>>("distortion_coefficients").value_or(std::vector<double>{});
   }
@@ -165,6 +171,14 @@ CalibratedCamera cameraFrom(const CameraInfoNumbers& numbers, const CalibrationU
   Warnings warnings;
   if (use.rectified && !numbers.P) {
     throw Error("projection_matrix: required for the rectified camera");
+  }
+  if (!use.rectified && isUncalibrated(numbers.K)) {
+    const bool has_other = numbers.P && (*numbers.P)[0] > 0.0 && (*numbers.P)[5] > 0.0;
+    throw Error(std::string("camera_matrix (K): its focal lengths are 0, as a driver sends them "
+                            "that has no calibration; ") +
+                (has_other ? "projection_matrix (P) is set: `rectified: true` takes it, for "
+                             "pictures that are rectified"
+                           : "the camera should be calibrated, or info_file name a calibration"));
   }
   const Intrinsics k = use.rectified ? intrinsicsOf(*numbers.P, "projection_matrix", warnings)
                                      : intrinsicsOf(numbers.K, "camera_matrix", warnings);

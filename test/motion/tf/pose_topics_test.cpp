@@ -1,5 +1,7 @@
 #include "motion/tf/pose_topics.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -196,6 +198,42 @@ TEST_F(PoseTopicsTest, OneOfSeveralNamespacesHasToBeNamed) {
   const BagMotion motion(options);
   EXPECT_TRUE(motion.find("robot2").has_value());
   EXPECT_FALSE(motion.find("robot1").has_value());
+}
+
+TEST_F(PoseTopicsTest, ThePosesOfAnArrayMoveNumberedFrames) {
+  eachSecond([&](Stamp stamp, const Pose& pose) {
+    bag.locateAll("/people", "map", stamp, {poseAt(0, 3, 0), pose});
+  });
+  options.pose_topics = {{"/people", "person", std::nullopt}};
+  const BagMotion motion = read({"person_1"});
+  EXPECT_DOUBLE_EQ(xAt(motion, "person_1", 2500), 2.5);
+  EXPECT_DOUBLE_EQ(poseOf(motion, "person_0", milliseconds(2500)).translation().y(), 3.0);
+}
+
+TEST_F(PoseTopicsTest, AWheelTurnsAsFarAsItsAngleSays) {
+  const auto spokeAt = [&](const std::vector<double>& angles) {
+    const test::TemporaryFolder place;
+    BagBuilder wheel(place / "wheel.bag");
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const Stamp stamp = milliseconds(1000 + 1000 * static_cast<std::int64_t>(i));
+      wheel.move("map", "base", stamp, poseAt(0, 0, 0));
+      wheel.bend("/joint_states", stamp, {{"axle", angles[i]}});
+    }
+    BagMotionOptions of_wheel;
+    of_wheel.bag_files = {wheel.close()};
+    of_wheel.robots = [] {
+      JointedRobot robot{"wheel", "base", 0, {}};
+      robot.links = {JointedLink{"base"},
+                     JointedLink{"spoke", 0, poseAt(0, 0, 0), "axle", false, {0, 0, 1}}};
+      return std::vector<JointedRobot>{robot};
+    };
+    const BagMotion motion(of_wheel);
+    const Eigen::Matrix3d R = poseOf(motion, "spoke", milliseconds(1500)).linear();
+    return std::atan2(R(1, 0), R(0, 0));
+  };
+  EXPECT_NEAR(spokeAt({0.0, 4.0, 8.0}), 2.0, 1e-9) << "more than half a turn between two";
+  EXPECT_NEAR(spokeAt({0.0, -5.0, -10.0}), -2.5, 1e-9);
+  EXPECT_NEAR(std::abs(spokeAt({3.1, -3.1})), M_PI, 1e-9) << "it only begins to count anew";
 }
 
 }  // namespace pose_topics_test

@@ -214,5 +214,19 @@ TEST(MapOfRecording, LiesFlat) {
                   HasSubstr("found a map that is tilted in 'map'; it should be turned about z")));
 }
 
+TEST_F(MapReader, SaysHowManyUnknownCellsCountAsFree) {
+  folder.write("map.pgm", pgm(4, 1, bytes({205, 205, 254, 0})));
+  const auto file = folder.write("map.yaml",
+                                 "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                                 "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+  std::vector<std::string> notes;
+  const OccupancyMap map =
+      readMapFile(file.string(), [&](const std::string& note) { notes.push_back(note); });
+  EXPECT_EQ(rowOf(map, 0), "FFFO");
+  EXPECT_THAT(notes, testing::ElementsAre(
+                         testing::AllOf(testing::HasSubstr("50 % of its cells have the shade 205"),
+                                        testing::HasSubstr("`free_thresh: 0.196`"))));
+}
+
 }  // namespace map_reader_test
 }  // namespace synthetic_dataset::randomize

@@ -209,5 +209,14 @@ TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {
               testing::ElementsAre(AllOf(HasSubstr("camera.yaml"), HasSubstr("fx"))));
 }
 
+TEST_F(CameraInfo, OfADriverWithoutACalibrationSaysWhatIsSetInstead) {
+  const std::string zeros =
+      with("[554.5, 0, 320.5, 0, 555.5, 240.5, 0, 0, 1]", "[0, 0, 0, 0, 0, 0, 0, 0, 0]");
+  EXPECT_THAT(test::messagesOf([&] { (void)read(zeros); }),
+              ::testing::ElementsAre(AllOf(HasSubstr("its focal lengths are 0"),
+                                           HasSubstr("`rectified: true` takes it"))));
+  EXPECT_NEAR(read(zeros, true).intrinsics().fx, 500.0, 1e-9);
+}
+
 }  // namespace camera_info_test
 }  // namespace synthetic_dataset::scene
