@@ -434,8 +434,8 @@ TEST_F(GeneratorTest, MakesScenesWithoutAnObjectThatMayBeAbsent) {
   EXPECT_EQ(generate().scenes, 8);
   const auto labels = files();
   EXPECT_EQ(labels.at("yolo/00000000.txt").find("alpha"), std::string::npos);
-  const cv::Mat without = cv::imread(folder + "/yolo/00000000.jpg");
-  const cv::Mat with = cv::imread(folder + "/yolo/00000004.jpg");
+  const cv::Mat without = cv::imread(folder + "/yolo/00000000.png");
+  const cv::Mat with = cv::imread(folder + "/yolo/00000004.png");
   ASSERT_FALSE(without.empty() || with.empty());
   EXPECT_GT(cv::norm(without, with, cv::NORM_INF), 50.0) << "alpha is in one of them alone";
 }
