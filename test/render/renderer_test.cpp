@@ -423,13 +423,5 @@ TEST_F(Shadows, AreThrownByAnyOfManyLights) {
   EXPECT_EQ(cv::norm(first, picture(stage.all()), cv::NORM_INF), 0.0);
 }
 
-TEST(Renderer, RefusesMoreLightsThanItHas) {
-  Stage stage;
-  world::Description description;
-  description.simulator = world::Simulator::kGz;
-  description.lights.resize(33);
-  EXPECT_THROW(Renderer(description, stage.links(), {}), Error);
-}
-
 }  // namespace renderer_test
 }  // namespace synthetic_dataset::render

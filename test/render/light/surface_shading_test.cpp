@@ -180,8 +180,8 @@ TEST_F(SurfaceLight, FromBehindIsNone) {
                               lanes(0.0F, 0.0F, 0.0F),
                               lanes(1.0F),
                               lanes(0.0F) >= lanes(0.0F)};
-  const std::vector<std::size_t> lights = shading.lights().all();
-  EXPECT_EQ(shading.seen(surfaces, lights).x.get0(), without.seen(surfaces, lights).x.get0());
+  EXPECT_EQ(shading.seen(surfaces, shading.lights().all()).x.get0(),
+            without.seen(surfaces, {}).x.get0());
 }
 
 TEST_F(SurfaceLight, FadesInFog) {
