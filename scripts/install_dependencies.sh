@@ -23,7 +23,7 @@ install_missing() {
 }
 
 if [ -d /opt/ros/noetic ]; then
-  # rosdep has no keys for the last three, which are optional.
+  # The last three are optional, and rosdep is not asked for them.
   install_missing build-essential cmake pkg-config python3-rosdep libdeflate-dev libisal-dev libembree-dev "$@"
   repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
   # shellcheck disable=SC1091

@@ -68,10 +68,10 @@ void makeWayForPlacement(Value::Map& settings, const Value::Map& own) {
 
 const std::set<std::string>& settingsOfMotions() {
   static const std::set<std::string> kNames = {
-      "bag_file",   "camera",         "camera_frame_id", "cameras",   "duration",    "lidars",
-      "max_tf_gap", "motion",         "physics",         "placement", "pose_topics", "randomize",
-      "scenes",     "simulated_rate", "start_offset",    "stretch",   "tf_topics",   "twin",
-      "when_unknown", "world",      "world_file"};
+      "bag_file",     "camera",         "camera_frame_id", "cameras",   "duration",    "lidars",
+      "max_tf_gap",   "motion",         "physics",         "placement", "pose_topics", "randomize",
+      "scenes",       "simulated_rate", "start_offset",    "stretch",   "tf_topics",   "twin",
+      "when_unknown", "world",          "world_file"};
   return kNames;
 }
 

@@ -35,14 +35,14 @@ enum class WhenUnknown {
 
 struct ObjectOptions {
   std::string name;
-  std::string class_text;            ///< `class` as text: a name, or a class's number
-  std::string class_name;            ///< of its class in the dataset's classes
-  int class_id = 0;                  ///< of its class in the dataset's classes
-  std::string id;                    ///< `id` as text
-  bool takes_part = true;            ///< in this motion, where its frame is
-  bool is_distractor = false;        ///< put somewhere now and then; these come last
-  std::string frame;                 ///< `frame`, else "<name>/<frame_id>"
-  bool frame_is_given = false;       ///< as a whole, by `frame`
+  std::string class_text;       ///< `class` as text: a name, or a class's number
+  std::string class_name;       ///< of its class in the dataset's classes
+  int class_id = 0;             ///< of its class in the dataset's classes
+  std::string id;               ///< `id` as text
+  bool takes_part = true;       ///< in this motion, where its frame is
+  bool is_distractor = false;   ///< put somewhere now and then; these come last
+  std::string frame;            ///< `frame`, else "<name>/<frame_id>"
+  bool frame_is_given = false;  ///< as a whole, by `frame`
   WhenUnknown when_unknown = WhenUnknown::kSkipScene;
   LinkFrames link_frames;            ///< of an articulated model
   bool stands = false;               ///< in the world; its frame is a name of our own then

@@ -126,6 +126,9 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithTwoMotions) {
 }
 
 TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
+  if (GetParam().type == "SemanticKitti") {
+    GTEST_SKIP() << "its labels are those of points, of which the manifest has digests alone";
+  }
   write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
   // The second object is nowhere in scene 1, as the manifest has it now.
   change(

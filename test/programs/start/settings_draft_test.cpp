@@ -74,12 +74,15 @@ TEST_F(SettingsDraftTest, MakeADatasetAsTheyAre) {
 
 TEST_F(SettingsDraftTest, AreRightWithEachFormatThatThereIs) {
   inputs.formats.clear();
-  for (const auto& [name, type] : formats::formatNames()) inputs.formats.push_back(name);
+  for (const auto& [name, type] : formats::formatNames()) {
+    // That of a lidar, which a draft has not.
+    if (name != "semantic_kitti") inputs.formats.push_back(name);
+  }
   EXPECT_THAT(inputs.formats, AllOf(Contains("mot"), Contains("kitti_tracking"),
                                     Contains("labelme"), Contains("pascal_voc")));
   const Value settings(this->settings(draftSettings(inputs)));
   EXPECT_EQ(settings.as<Value::Map>()->at("writers").as<Value::List>()->size(),
-            formats::formatNames().size());
+            inputs.formats.size());
   EXPECT_THAT(test::messagesOf([&] { (void)run::setUpRun(settings, {test::pluginXml()}); }),
               IsEmpty());
 }
