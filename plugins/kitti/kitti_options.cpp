@@ -48,7 +48,7 @@ void readVelodyne(Parameters& parameters, const DatasetInfo& dataset, KittiOptio
     options.velodyne = parameters.optionalChoice("velodyne", {"none", "depth"}, "none") == "depth";
     return;
   }
-  const std::string velodyne = parameters.optional<std::string>("velodyne", "none");
+  const auto velodyne = parameters.optional<std::string>("velodyne", "none");
   options.velodyne = velodyne == "depth";
   if (velodyne == "none" || velodyne == "depth") return;
   options.lidar = dataset.lidarIndex(parameters, "velodyne", velodyne);

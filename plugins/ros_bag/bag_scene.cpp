@@ -105,14 +105,16 @@ sensor_msgs::PointCloud2 cloudMessage(const std_msgs::Header& header, const Clou
     for (std::uint32_t column = 0; column < message.width; ++column) {
       std::uint8_t* cell = &message.data[std::size_t{ring} * message.row_step +
                                          std::size_t{column} * message.point_step];
-      for (int axis = 0; axis < 3; ++axis) put(kNothing, cell + 4 * axis);
+      for (std::size_t axis = 0; axis < 3; ++axis) put(kNothing, cell + 4 * axis);
       put(static_cast<std::uint16_t>(ring), cell + kRing);
     }
   }
   for (const CloudPoint& point : cloud.points) {
     std::uint8_t* cell = &message.data[std::size_t{point.ring} * message.row_step +
                                        std::size_t{point.column} * message.point_step];
-    for (int axis = 0; axis < 3; ++axis) put(point.position_S[axis], cell + 4 * axis);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      put(point.position_S[static_cast<Eigen::Index>(axis)], cell + 4 * axis);
+    }
     constexpr float kFull = 255.0F;  // as Velodyne's driver has it
     put(kFull * point.intensity, cell + kIntensity);
     put(static_cast<float>(1e-9 * point.time), cell + kTime);
