@@ -43,7 +43,7 @@ void refuseFrames(Parameters& group) {
 
 bool readStanding(Parameters& group, scene::ObjectOptions& object) {
   if (!group.has("pose")) return false;
-  const Value given = group.required<Value>("pose");
+  const auto given = group.required<Value>("pose");
   object.stands = true;
   object.frame = "standing: " + object.name;  // which no recording has
   refuseFrames(group);

@@ -143,7 +143,7 @@ std::size_t RayBodies::add(std::vector<RaySurface> surfaces) {
     HeldSurface& held = impl.held.emplace_back();
     held.index = impl.surfaces.size();
     for (const Eigen::Vector3f& p_V : surface.mesh->positions) {
-      held.corners_B.push_back((surface.X_BV * p_V.cast<double>()).cast<float>());
+      held.corners_B.emplace_back((surface.X_BV * p_V.cast<double>()).cast<float>());
     }
     held.corners_B.emplace_back(0.0F, 0.0F, 0.0F);
     impl.surfaces.push_back(std::move(surface));

@@ -18,6 +18,8 @@ std::string rayCasterVersion() { return ""; }
 RayBodies::RayBodies() { throw Error(howToCastRays()); }
 RayBodies::~RayBodies() = default;
 
+// They are members for what casts rays.
+// NOLINTBEGIN(readability-convert-member-functions-to-static, performance-unnecessary-value-param)
 std::size_t RayBodies::add(std::vector<RaySurface> /*surfaces*/) { throw Error(howToCastRays()); }
 
 const std::vector<RaySurface>& RayBodies::surfaces() const { throw Error(howToCastRays()); }
@@ -27,5 +29,6 @@ std::optional<RayHit> RayBodies::meet(std::size_t /*body*/, const Eigen::Vector3
                                       double /*far*/, const Paint& /*paint*/) const {
   throw Error(howToCastRays());
 }
+// NOLINTEND(readability-convert-member-functions-to-static, performance-unnecessary-value-param)
 
 }  // namespace synthetic_dataset::lidar

@@ -18,7 +18,9 @@ class TruthTest(LoaderCase):
     def test_every_format_of_the_package_is_made(self):
         made = {each['type'] for each in yaml.safe_load((HERE / 'writers.yaml').read_text())}
         plugins = ElementTree.parse(HERE.parents[1] / 'plugins.xml').iter('class')
-        self.assertEqual(made - {'test/Truth'}, {each.get('name') for each in plugins})
+        needs_a_lidar = {'synthetic_dataset/SemanticKitti'}
+        self.assertEqual(made - {'test/Truth'},
+                         {each.get('name') for each in plugins} - needs_a_lidar)
 
     def test_visible_masks_are_the_parts_of_the_instance_map(self):
         for truth, _ in self.datasets('truth'):

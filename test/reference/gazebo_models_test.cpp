@@ -55,7 +55,7 @@ const std::map<std::string, Expected> kExpected = {
     {"gazebo/warehouse_robot", {1, 624, 1}},
     {"urdf/husky/husky.urdf", {9, 35902, 0}},
     {"urdf/racecar/racecar.urdf", {9, 12818, 0}},
-    {"urdf/racecar/racecar_differential.urdf", {8, 12494, 1}},
+    {"urdf/racecar/racecar_differential.urdf", {9, 12898, 1}},
 };
 
 TEST(GazeboModels, LoadWithAllTheirPartsAndTextures) {

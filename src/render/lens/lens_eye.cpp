@@ -223,8 +223,8 @@ std::shared_ptr<const LensSight> LensEye::look(const RollingView& rolling,
   LastInRows now{lens, {}, {}, drawn, glass, nullptr};
   for (const RollingMoment& moment : rolling.moments) {
     now.rows.push_back(moment.row);
-    now.poses.push_back(moment.X_WC.matrix());
-    for (const Pose& X_WL : moment.X_WL) now.poses.push_back(X_WL.matrix());
+    now.poses.emplace_back(moment.X_WC.matrix());
+    for (const Pose& X_WL : moment.X_WL) now.poses.emplace_back(X_WL.matrix());
   }
   if (keeps_ && last_in_rows_ && last_in_rows_->isAs(now)) return last_in_rows_->sight;
   const auto rows = std::make_shared<const RowPoses>(rolling, draw_list_, drawn);

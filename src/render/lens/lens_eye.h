@@ -32,7 +32,7 @@ class LensEye {
                                                       const LinkSelection& drawn, Glass glass);
 
   /// The same of a picture whose rows are taken one after the other.
-  [[nodiscard]] std::shared_ptr<const LensSight> look(const RollingView& rows,
+  [[nodiscard]] std::shared_ptr<const LensSight> look(const RollingView& rolling,
                                                       const LinkSelection& drawn, Glass glass);
 
   /// CV_8UC1: 255 for the pixels whose rays would meet these items if there were no others.

@@ -36,7 +36,7 @@ bool has(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Value listOf(const Names& names) { return Value(Value::List(names.begin(), names.end())); }
+Value listOf(const Names& names) { return Value{Value::List(names.begin(), names.end())}; }
 
 /// The models of each motion's world.
 /// @throws Error where one cannot be read
