@@ -76,7 +76,10 @@ class TemplateSearch : public tinyxml2::XMLVisitor {
   bool VisitEnter(const tinyxml2::XMLElement& element,
                   const tinyxml2::XMLAttribute* attribute) override {
     const std::string name = element.Name();
-    if (name.rfind("xacro:", 0) == 0) take("xacro's", name, element.GetLineNum());
+    // Definitions that nothing uses may stay in a world, as Gazebo passes over them.
+    const bool defines = name == "xacro:arg" || name == "xacro:property";
+    if (!defines && name.rfind("xacro:", 0) == 0) take("xacro's", name, element.GetLineNum());
+    if (defines) return false;
     for (; attribute != nullptr; attribute = attribute->Next()) {
       take(templateOf(attribute->Value()), attribute->Value(), attribute->GetLineNum());
     }
