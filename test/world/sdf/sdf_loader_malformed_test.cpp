@@ -238,6 +238,8 @@ TEST(MalformedSdf, IsATemplateThatNobodyHasExpanded) {
               ElementsAre(HasSubstr("line 2: '<%' is ERB's")));
   const std::string plugin = "<plugin name='p' filename='f'><text>${HOME}</text></plugin>";
   EXPECT_NO_THROW((void)loadText(folder, worldFile(modelElement("m", linkElement() + plugin))));
+  const std::string unused = "<xacro:arg name='material' default='Grey'/>";
+  EXPECT_NO_THROW((void)loadText(folder, worldFile(modelElement("m", unused + linkElement()))));
 }
 
 }  // namespace sdf_loader_malformed_test
