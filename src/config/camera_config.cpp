@@ -188,11 +188,22 @@ void checkIntrinsicsNamed(const scene::CameraOptions& camera, Parameters& above,
 
 }  // namespace
 
-bool isGoodName(const std::string& name) {
+std::vector<std::string> folderNames(Parameters& group) {
   const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
   constexpr std::size_t kLongest = 80;
-  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
-         name.find_first_not_of(allowed) == std::string::npos;
+  std::vector<std::string> good;
+  for (const std::string& name : group.names()) {
+    const bool is_good = !name.empty() && name.size() <= kLongest && name.front() != '.' &&
+                         name.find_first_not_of(allowed) == std::string::npos;
+    if (is_good) {
+      good.push_back(name);
+      continue;
+    }
+    group.ignore(name);
+    group.addError(
+        name, "is no name for a folder; up to 80 letters, digits, '_', '-' and '.' are allowed");
+  }
+  return good;
 }
 
 bool isRectifiedTopic(const std::string& topic) {
@@ -215,13 +226,7 @@ std::vector<scene::CameraOptions> readCameras(Parameters root) {
     root.ignore("camera_frame_id");
   }
   Parameters all = root.group("cameras");
-  for (const std::string& name : all.names()) {
-    if (!isGoodName(name)) {
-      all.ignore(name);
-      all.addError(
-          name, "is no name for a folder; up to 80 letters, digits, '_', '-' and '.' are allowed");
-      continue;
-    }
+  for (const std::string& name : folderNames(all)) {
     cameras.push_back(readCamera(all.group(name), name, std::nullopt));
     checkIntrinsicsNamed(cameras.back(), all, name);
   }

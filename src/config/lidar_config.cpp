@@ -199,13 +199,7 @@ std::vector<LidarOptions> readLidars(Parameters root,
   for (const scene::CameraOptions& camera : cameras) {
     if (camera.frame) frames.insert(*camera.frame);
   }
-  for (const std::string& name : all.names()) {
-    if (!isGoodName(name)) {
-      all.ignore(name);
-      all.addError(
-          name, "is no name for a folder; up to 80 letters, digits, '_', '-' and '.' are allowed");
-      continue;
-    }
+  for (const std::string& name : folderNames(all)) {
     lidars.push_back(readLidar(all.group(name), name));
     if (!frames.insert(lidars.back().frame).second) {
       all.group(name).addError("frame_id", "found '" + lidars.back().frame +

@@ -36,8 +36,8 @@ namespace synthetic_dataset::config {
 /// The camera of the group `camera`, or those of the group `cameras`, in alphabetical order.
 [[nodiscard]] std::vector<scene::CameraOptions> readCameras(Parameters root);
 
-/// Whether a camera or lidar may have a name, which becomes that of a folder.
-[[nodiscard]] bool isGoodName(const std::string& name);
+/// The names of a group's entries that become folders; others are noted and ignored.
+[[nodiscard]] std::vector<std::string> folderNames(Parameters& group);
 
 /// The lidars of the group `lidars`, in alphabetical order.
 /// @param cameras  whose frames they do not share

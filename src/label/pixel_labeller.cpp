@@ -45,21 +45,12 @@ cv::Mat rangesOf(const render::LabelImages& images, const CameraModel& camera) {
 }
 
 PlacedKeypoints placedKeypoints(const TakenView& view, Scene& scene) {
-  PlacedKeypoints placed(scene.objects.size());
-  const TakenInRows* taken = view.rows();
-  std::vector<bool> present;
-  for (const SceneObject& object : scene.objects) present.push_back(object.X_CO.has_value());
-  const render::RollingView of_objects =
-      taken != nullptr ? viewOfObjects(*taken) : render::RollingView{view.camera(), {}};
-  const RowFinder rows(of_objects, present);
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    SceneObject& object = scene.objects[i];
+  if (view.rows() != nullptr) return labelInRows(*view.rows(), scene);
+  PlacedKeypoints placed;
+  for (const SceneObject& object : scene.objects) {
+    std::vector<Eigen::Vector3d>& here = placed.emplace_back();
     if (!object.X_CO) continue;
-    if (taken != nullptr) {
-      placed[i] = labelInRows(rows, i, object, scene.camera);
-      continue;
-    }
-    for (const Eigen::Vector3d& p_O : object.keypoints_O) placed[i].push_back(*object.X_CO * p_O);
+    for (const Eigen::Vector3d& p_O : object.keypoints_O) here.push_back(*object.X_CO * p_O);
   }
   return placed;
 }

@@ -4,6 +4,44 @@
 #include <cmath>
 
 namespace synthetic_dataset::label {
+namespace {
+
+/// The poses of the objects in the place of the links'. One that is not there at some time does
+/// not move.
+render::RollingView viewOfObjects(const TakenInRows& taken) {
+  render::RollingView view{taken.view.camera, {}, taken.view.bands};
+  for (std::size_t i = 0; i < taken.view.moments.size(); ++i) {
+    const render::RollingMoment& moment = taken.view.moments[i];
+    view.moments.push_back({moment.row, moment.X_WC, {}});
+    for (const std::optional<Pose>& X_GO : taken.X_GO[i]) {
+      view.moments.back().X_WL.push_back(X_GO ? *X_GO : Pose::Identity());
+    }
+  }
+  return view;
+}
+
+/// Labels an object where the picture has it.
+/// @return its keypoints in the optical frame
+std::vector<Eigen::Vector3d> placedObject(const RowFinder& rows, std::size_t index,
+                                          SceneObject& object, const CameraModel& camera) {
+  std::vector<Eigen::Vector3d> keypoints_C;
+  for (std::size_t i = 0; i < object.keypoints.size(); ++i) {
+    const auto found = rows.find(index, object.keypoints_O[i]);
+    object.keypoints[i].pixel = found ? std::optional(found->pixel) : std::nullopt;
+    keypoints_C.push_back(found ? found->p_C : *object.X_CO * object.keypoints_O[i]);
+  }
+  std::vector<Eigen::Vector3d> shape_C;
+  for (const Eigen::Vector3d& p_O : object.bounding_shape_O) {
+    const auto found = rows.find(index, p_O);
+    shape_C.push_back(found ? found->p_C : *object.X_CO * p_O);
+  }
+  object.loose_box = camera.projectedBounds(shape_C);
+  object.in_view =
+      object.loose_box && intersection(*object.loose_box, camera.imageBounds()).has_value();
+  return keypoints_C;
+}
+
+}  // namespace
 
 RowFinder::RowFinder(const render::RollingView& view, const std::vector<bool>& bodies)
     : view_(view), X_CB_(bodies.size()) {
@@ -69,35 +107,17 @@ std::optional<PointInRows> RowFinder::between(std::size_t body, const Eigen::Vec
   return found;
 }
 
-std::vector<Eigen::Vector3d> labelInRows(const RowFinder& rows, std::size_t index,
-                                         SceneObject& object, const CameraModel& camera) {
-  std::vector<Eigen::Vector3d> keypoints_C;
-  for (std::size_t i = 0; i < object.keypoints.size(); ++i) {
-    const auto found = rows.find(index, object.keypoints_O[i]);
-    object.keypoints[i].pixel = found ? std::optional(found->pixel) : std::nullopt;
-    keypoints_C.push_back(found ? found->p_C : *object.X_CO * object.keypoints_O[i]);
+std::vector<std::vector<Eigen::Vector3d>> labelInRows(const TakenInRows& taken, Scene& scene) {
+  const render::RollingView view = viewOfObjects(taken);
+  std::vector<bool> present;
+  for (const SceneObject& object : scene.objects) present.push_back(object.X_CO.has_value());
+  const RowFinder rows(view, present);
+  std::vector<std::vector<Eigen::Vector3d>> placed;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    placed.emplace_back();
+    if (present[i]) placed.back() = placedObject(rows, i, scene.objects[i], scene.camera);
   }
-  std::vector<Eigen::Vector3d> shape_C;
-  for (const Eigen::Vector3d& p_O : object.bounding_shape_O) {
-    const auto found = rows.find(index, p_O);
-    shape_C.push_back(found ? found->p_C : *object.X_CO * p_O);
-  }
-  object.loose_box = camera.projectedBounds(shape_C);
-  object.in_view =
-      object.loose_box && intersection(*object.loose_box, camera.imageBounds()).has_value();
-  return keypoints_C;
-}
-
-render::RollingView viewOfObjects(const TakenInRows& taken) {
-  render::RollingView view{taken.view.camera, {}, taken.view.bands};
-  for (std::size_t i = 0; i < taken.view.moments.size(); ++i) {
-    const render::RollingMoment& moment = taken.view.moments[i];
-    view.moments.push_back({moment.row, moment.X_WC, {}});
-    for (const std::optional<Pose>& X_GO : taken.X_GO[i]) {
-      view.moments.back().X_WL.push_back(X_GO ? *X_GO : Pose::Identity());
-    }
-  }
-  return view;
+  return placed;
 }
 
 }  // namespace synthetic_dataset::label

@@ -49,17 +49,12 @@ class RowFinder {
   std::vector<std::vector<Pose>> X_CB_;  ///< of each body at each moment
 };
 
-/// Puts an object's labels that follow from its pose where the picture has them: the places of
-/// keypoints, the projected box. Its pose, and the depths of its keypoints, stay those of the
-/// middle of the exposure.
-/// @param rows  of its pose as that of link `index`
-/// @return each keypoint in the optical frame of its row's time [m]
-[[nodiscard]] std::vector<Eigen::Vector3d> labelInRows(const RowFinder& rows, std::size_t index,
-                                                       SceneObject& object,
-                                                       const CameraModel& camera);
-
-/// The poses of the objects in the place of the links'. One that is not there at some time does
-/// not move.
-[[nodiscard]] render::RollingView viewOfObjects(const TakenInRows& taken);
+/// Puts the objects' labels that follow from their poses where the picture has them: the places of
+/// keypoints, the projected boxes. Poses, and the depths of keypoints, stay those of the middle of
+/// the exposure.
+/// @return of each object, its keypoints in the optical frame of their rows' times [m]; empty for
+///     one that is not in the scene
+[[nodiscard]] std::vector<std::vector<Eigen::Vector3d>> labelInRows(const TakenInRows& taken,
+                                                                    Scene& scene);
 
 }  // namespace synthetic_dataset::label

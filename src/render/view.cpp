@@ -48,11 +48,14 @@ Eigen::Matrix4d clipFromCamera(const CameraModel& camera) {
 }
 
 RollingMoment RollingView::at(double row) const {
+  return at(row, LinkSelection(moments.front().X_WL.size(), true));
+}
+
+RollingMoment RollingView::at(double row, const LinkSelection& links) const {
   const auto [from, to, share] = around(row, moments);
-  RollingMoment here{row, between(from.X_WC, to.X_WC, share), {}};
-  here.X_WL.reserve(from.X_WL.size());
-  for (std::size_t link = 0; link < from.X_WL.size(); ++link) {
-    here.X_WL.push_back(between(from.X_WL[link], to.X_WL[link], share));
+  RollingMoment here{row, between(from.X_WC, to.X_WC, share), from.X_WL};
+  for (std::size_t link = 0; link < links.size(); ++link) {
+    if (links[link]) here.X_WL[link] = between(from.X_WL[link], to.X_WL[link], share);
   }
   return here;
 }

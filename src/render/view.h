@@ -59,6 +59,9 @@ struct RollingView {
   /// the last moment all stands as it does then.
   [[nodiscard]] RollingMoment at(double row) const;
 
+  /// The same for who asks for some links alone: the others are where they are at a moment nearby.
+  [[nodiscard]] RollingMoment at(double row, const LinkSelection& links) const;
+
   /// Where the camera has a link when a row is taken, as at() has it.
   [[nodiscard]] Pose X_CL(std::size_t link, double row) const;
 

@@ -21,19 +21,19 @@ RowPoses::RowPoses(const RollingView& view, const DrawList& draw_list, const Lin
   };
   camera_stands_ = stands([](const RollingMoment& moment) { return moment.X_WC; });
   X_CL_.resize(first.X_WL.size());
-  std::vector<bool> stands_too(X_CL_.size());
+  LinkSelection changing(X_CL_.size());
   for (std::size_t link = 0; link < X_CL_.size(); ++link) {
     if (!drawn[link]) continue;
-    stands_too[link] =
-        camera_stands_ && stands([&](const RollingMoment& moment) { return moment.X_WL[link]; });
-    if (!stands_too[link]) X_CL_[link].reserve(static_cast<std::size_t>(row_count_));
-    if (stands_too[link]) X_CL_[link] = {first.X_WC.inverse() * first.X_WL[link]};
+    changing[link] =
+        !camera_stands_ || !stands([&](const RollingMoment& moment) { return moment.X_WL[link]; });
+    if (changing[link]) X_CL_[link].reserve(static_cast<std::size_t>(row_count_));
+    if (!changing[link]) X_CL_[link] = {first.X_WC.inverse() * first.X_WL[link]};
   }
   for (int row = 0; row < row_count_; ++row) {
-    const RollingMoment moment = view.at(row);
+    const RollingMoment moment = view.at(row, changing);
     const Pose X_CW = moment.X_WC.inverse();
     for (std::size_t link = 0; link < X_CL_.size(); ++link) {
-      if (drawn[link] && !stands_too[link]) X_CL_[link].push_back(X_CW * moment.X_WL[link]);
+      if (changing[link]) X_CL_[link].push_back(X_CW * moment.X_WL[link]);
     }
   }
 }
