@@ -28,7 +28,9 @@ bool hasContent(const std::string& file) {
 
 }  // namespace
 
-void SqliteConnection::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
+/// Where a statement outlives its database, it takes the connection with it. sqlite3_close would leave
+/// both. https://www.sqlite.org/c3ref/close.html
+void SqliteConnection::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
 SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)
     : connection_(std::make_unique<SqliteConnection>()) {
