@@ -2,7 +2,8 @@
 # Loads datasets of every format with the formats' own loaders and compares with the truth, reads bags of ROS 2, and
 # runs the programs in docs/python.md:
 #   ./scripts/test_loaders.sh [FOLDER [FORMAT...]]
-# FOLDER keeps the datasets; without it they are removed. The loaders are installed once, into a
+# FOLDER keeps the datasets; without it they are removed. OPENPCDET names a clone of OpenPCDet, if its own preparation
+# is to run. The loaders are installed once, into a
 # virtual environment below ~/.cache; after that no network is needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

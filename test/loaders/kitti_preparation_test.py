@@ -1,11 +1,13 @@
 """KITTI as MMDetection3D and OpenPCDet prepare it before training.
 
 MMDetection3D's preparation (tools/dataset_converters/kitti_data_utils.py) is in its wheel; scikit-image, by which it
-reads the pictures' sizes, is stood in for. OpenPCDet is not to be had from PyPI: what it opens is listed here
-(pcdet/datasets/kitti/kitti_dataset.py), and how it counts the points in a box (pcdet/utils/box_utils.py, in_hull).
+reads the pictures' sizes, is stood in for. OpenPCDet is not on PyPI: what it opens is listed here
+(pcdet/datasets/kitti/kitti_dataset.py), and how it counts the points in a box (pcdet/utils/box_utils.py, in_hull). Its
+own preparation runs where OPENPCDET names a clone of it.
 """
 import importlib.metadata
 import importlib.util
+import os
 import pathlib
 import sys
 import types
@@ -18,6 +20,7 @@ from scipy.spatial import Delaunay
 from kitti_test import corners_of, folder_of
 from loader_case import LoaderCase
 
+OPENPCDET = os.environ.get('OPENPCDET')
 PATH = 'mmdet3d/.mim/tools/dataset_converters/kitti_data_utils.py'
 
 
@@ -30,6 +33,28 @@ def preparation():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def openpcdet(clone):
+    """Its module of KITTI; what needs a GPU's compiler, and is not called, is left out."""
+    def stand_in(name, **members):
+        sys.modules[name] = types.ModuleType(name)
+        sys.modules[name].__dict__.update(members)
+        sys.modules[name].__path__ = [str(clone / name.replace('.', '/'))]
+
+    stand_in('skimage.transform')
+    stand_in('skimage', transform=sys.modules['skimage.transform'],
+             io=types.SimpleNamespace(imread=lambda file: cv2.imread(str(file))))
+    for name in ('pcdet', 'pcdet.datasets', 'pcdet.datasets.kitti', 'pcdet.datasets.augmentor',
+                 'pcdet.datasets.processor', 'pcdet.ops', 'pcdet.ops.roiaware_pool3d', 'pcdet.ops.iou3d_nms',
+                 'pcdet.datasets.kitti.kitti_object_eval_python', 'SharedArray', 'spconv'):
+        stand_in(name)
+    for operators in ('pcdet.ops.roiaware_pool3d.roiaware_pool3d', 'pcdet.ops.iou3d_nms.iou3d_nms',
+                      'pcdet.ops.iou3d_nms'):
+        stand_in(f'{operators}_utils')
+        stand_in(f'{operators}_cuda')
+    sys.path.insert(0, str(clone))
+    return importlib.import_module('pcdet.datasets.kitti.kitti_dataset')
 
 
 def listed(folder, name):
@@ -70,6 +95,24 @@ class KittiPreparationTest(LoaderCase):
                         self.assertTrue((root / file).exists(), root / file)
                     points = np.fromfile(root / f'velodyne/{number:06}.bin', np.float32)
                     self.assertEqual(points.size % 4, 0)
+
+    @unittest.skipUnless(OPENPCDET, 'OPENPCDET names no clone')
+    def test_openpcdet_prepares_it(self):
+        module = openpcdet(pathlib.Path(OPENPCDET))
+        settings = types.SimpleNamespace(DATA_SPLIT={'test': 'val'}, INFO_PATH={'test': []})
+        points = 0
+        for truth, folder, camera in self.folders():
+            reader = module.KittiDataset(settings, None, training=False, root_path=folder)
+            for name in ('train', 'val', 'test'):
+                reader.set_split(name)
+                infos = reader.get_infos(num_workers=1, has_label=name != 'test')
+                self.assertEqual([int(info['image']['image_idx']) for info in infos], listed(folder, name))
+                for info in infos if name != 'test' else []:
+                    scene = next(each for each in truth.scenes if each.camera_name == camera
+                                 and each.instant == int(info['image']['image_idx']))
+                    self.assertEqual(len(info['annos']['name']), len(scene.labelled))
+                    points += sum(info['annos']['num_points_in_gt'])
+        self.assertGreater(points, 10000)
 
     def test_points_of_an_object_are_in_its_box(self):
         """As OpenPCDet counts them, of objects that stand upright; but for single ones of faces that are seen along
