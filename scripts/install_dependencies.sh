@@ -60,7 +60,7 @@ install_missing \
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev liblz4-dev libzstd-dev libssl-dev \
   nlohmann-json3-dev libmicrohttpd-dev libgtest-dev libgmock-dev "$@"
 
-# Debian has no xacro. PyPI's newest needs nothing but Python's YAML here (src/world/files/xacro.cpp).
+# Debian has no xacro. PyPI's newest needs nothing but Python's YAML here (src/world/files/template_file.cpp).
 xacro_folder=${XDG_DATA_HOME:-$HOME/.local/share}/synthetic_dataset/xacro
 if ! python3 -c 'import xacro' 2>/dev/null && [ ! -d "$xacro_folder/xacro" ]; then
   install_missing python3-pip python3-yaml

@@ -1,5 +1,5 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
-background subtraction, several cameras, full light, skies and panoramas, weather; where the camera stands, and where it rides.
+background subtraction, several cameras, full light, many lamps, skies and panoramas, weather; where the camera stands, and where it rides.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT]
 
@@ -53,6 +53,8 @@ CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "MOG2": (PINHOLE, {}, SUBTRACTION),
     "full light": (PINHOLE, {}, FULL),
     "full light through plumb_bob": (BARREL, {}, FULL),
+    "30 lamps": (PINHOLE, {}, {"lamps": 30}),
+    "300 lamps": (PINHOLE, {}, {"lamps": 300}),
     "sky": (PINHOLE, {}, {"sky": True}),
     "full light, sky": (PINHOLE, {}, {"sky": True, **FULL}),
     "panorama": (PINHOLE, {}, {"panorama": True}),
@@ -103,14 +105,27 @@ def write_panorama(folder):
                   + chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b""))
 
 
+def lamp(number, count):
+    """One of many under the hall's ceiling, which reaches 3 m and lights a part of the floor."""
+    columns = math.ceil(math.sqrt(count))
+    x, y = ((each + 0.5) / columns * 12.0 - 6.0 for each in divmod(number, columns))
+    return (f"<light name='lamp_{number}' type='point'><pose>{x} {y} 2.5 0 0 0</pose><cast_shadows>false</cast_shadows>"
+            "<diffuse>0.2 0.2 0.2 1</diffuse><attenuation><range>3</range><constant>0.5</constant><linear>0.1</linear>"
+            "<quadratic>0.2</quadratic></attenuation></light>")
+
+
 def what_lies_behind(others, settings, folder):
-    """Settings of a sky, or of a panorama, where `others` name one."""
-    if others.pop("sky", False):
+    """Settings of a sky, of lamps or of a panorama, where `others` name one."""
+    sky, lamps = others.pop("sky", False), others.pop("lamps", 0)
+    if sky or lamps:
         with open(settings["world"]["file"]) as file:
-            world = file.read().replace("<scene>", "<scene><sky/>", 1)
-        with open(f"{folder}/sky.sdf", "w") as out:
+            world = file.read()
+        if sky:
+            world = world.replace("<scene>", "<scene><sky/>", 1)
+        world = world.replace("</world>", "".join(lamp(i, lamps) for i in range(lamps)) + "</world>")
+        with open(f"{folder}/world.sdf", "w") as out:
             out.write(world)
-        return {"world": {**settings["world"], "file": f"{folder}/sky.sdf"}}
+        return {"world": {**settings["world"], "file": f"{folder}/world.sdf"}}
     if others.pop("panorama", False):
         write_panorama(f"{folder}/panoramas")
         return {"randomize": {"background": {"pictures": f"{folder}/panoramas", "projection": "panorama"}}}

@@ -8,6 +8,7 @@
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
 #include "synthetic_dataset/nearest_name.h"
+#include "world/files/template_file.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -201,15 +202,12 @@ std::map<std::string, std::string> readModelArguments(Parameters& group) {
   return arguments;
 }
 
-/// Arguments go to xacro; of any other model they would change nothing.
+/// Of a model that is no template they would change nothing.
 void checkModelArguments(Parameters& group, const scene::ObjectOptions& object) {
-  const std::string ending = ".xacro";
-  const bool is_xacro =
-      object.model && object.model->size() > ending.size() &&
-      object.model->compare(object.model->size() - ending.size(), ending.size(), ending) == 0;
-  if (object.model_arguments.empty() || !object.model || is_xacro) return;
+  if (object.model_arguments.empty() || !object.model || world::isTemplate(*object.model)) return;
   group.addError("model_arguments",
-                 "found together with a model that is no xacro file; only names that end in .xacro "
+                 "found together with a model that is no xacro file; only names that end in "
+                 ".xacro, or .jinja, "
                  "take arguments");
 }
 

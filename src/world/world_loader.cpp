@@ -62,8 +62,8 @@ const SdfFile& parsedFile(const Read& read) {
   }
 }
 
-/// A xacro file and its arguments, as if it were a file beside it: one name for each text.
-fs::path xacroName(const fs::path& file, const XacroArguments& arguments) {
+/// A template and its arguments, as if it were a file beside it: one name for each text.
+fs::path expandedName(const fs::path& file, const TemplateArguments& arguments) {
   std::string name = file.filename().string();
   for (const auto& [key, value] : arguments) name += " " + key + ":=" + value;
   std::replace(name.begin(), name.end(), '/', '|');
@@ -100,7 +100,7 @@ struct WorldLoader::Caches {
   MeshLoader meshes;
   ShapeCache shapes;
   SdfFiles sdf_files;
-  std::map<fs::path, std::string> xacro_texts;  ///< by `xacroName`
+  std::map<fs::path, std::string> expanded;  ///< by `expandedName`
 };
 
 WorldLoader::WorldLoader(const ResourceFinder& finder, const LoadOptions& options,
@@ -114,15 +114,15 @@ WorldLoader::~WorldLoader() = default;
 
 Description WorldLoader::loadWorld(const std::string& uri) { return loadFile(uri, {}); }
 
-Description WorldLoader::loadFile(const std::string& uri, const XacroArguments& arguments) {
+Description WorldLoader::loadFile(const std::string& uri, const TemplateArguments& arguments) {
   const fs::path file = fileFor(uri, finder_);
   on_stage_("reading '" + uri + "'");
   const SdfFile& parsed = parsedFile([&]() -> const SdfFile& {
-    if (!isXacro(file)) return caches_->sdf_files.read(file);
-    const fs::path name = xacroName(file, arguments);
-    auto text = caches_->xacro_texts.find(name);
-    if (text == caches_->xacro_texts.end()) {
-      text = caches_->xacro_texts.emplace(name, expandXacro(file, arguments)).first;
+    if (!isTemplate(file)) return caches_->sdf_files.read(file);
+    const fs::path name = expandedName(file, arguments);
+    auto text = caches_->expanded.find(name);
+    if (text == caches_->expanded.end()) {
+      text = caches_->expanded.emplace(name, expandTemplate(file, arguments)).first;
     }
     return caches_->sdf_files.readText(name, text->second);
   });
@@ -172,7 +172,7 @@ Description WorldLoader::loadText(const std::string& text, const std::string& na
 }
 
 Model WorldLoader::loadModel(const std::string& model_or_uri, const std::string& name,
-                             const XacroArguments& arguments) {
+                             const TemplateArguments& arguments) {
   const bool is_text = isModelText(model_or_uri);
   const std::string source = is_text ? "the text of " + name + "/model" : model_or_uri;
   Description description =

@@ -9,7 +9,7 @@
 #include "base/stages.h"
 #include "world/description.h"
 #include "world/files/resource_finder.h"
-#include "world/files/xacro.h"
+#include "world/files/template_file.h"
 #include "world/urdf/urdf_text.h"
 #include "world/world_options.h"
 
@@ -49,7 +49,7 @@ class WorldLoader {
   /// @param arguments  of a xacro file
   /// @throws ErrorList as loadWorld
   [[nodiscard]] Model loadModel(const std::string& model_or_uri, const std::string& name,
-                                const XacroArguments& arguments = {});
+                                const TemplateArguments& arguments = {});
 
   /// What loadModel has left out or replaced so far; a world has its notes itself.
   [[nodiscard]] const std::vector<std::string>& modelNotes() const { return model_notes_; }
@@ -60,7 +60,7 @@ class WorldLoader {
  private:
   struct Caches;
 
-  [[nodiscard]] Description loadFile(const std::string& uri, const XacroArguments& arguments);
+  [[nodiscard]] Description loadFile(const std::string& uri, const TemplateArguments& arguments);
   [[nodiscard]] Description load(const SdfFile& file);
   [[nodiscard]] Description loadText(const std::string& text, const std::string& name);
 

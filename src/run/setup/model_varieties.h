@@ -10,7 +10,7 @@
 #include "scene/object_options.h"
 #include "scene/object_variants.h"
 #include "world/description.h"
-#include "world/files/xacro.h"
+#include "world/files/template_file.h"
 
 namespace synthetic_dataset::run {
 
@@ -26,7 +26,7 @@ class ModelVarieties {
 
  private:
   /// The model, or the object whose model is the world's, and the kind of variety.
-  using Key = std::tuple<std::optional<std::string>, std::string, world::XacroArguments,
+  using Key = std::tuple<std::optional<std::string>, std::string, world::TemplateArguments,
                          world::Simulator, randomize::Variety>;
 
   /// Variants of a model, by their numbers.

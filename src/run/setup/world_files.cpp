@@ -15,7 +15,7 @@
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/value.h"
 #include "world/files/findings.h"
-#include "world/files/xacro.h"
+#include "world/files/template_file.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -69,7 +69,7 @@ void WorldFiles::keepFiles(const std::set<std::filesystem::path>& opened) {
   for (const fs::path& file : finder_.missed()) stamps_.add(file);
   for (const fs::path& file : finder_.found()) {
     stamps_.add(file);
-    if (world::isXacro(file)) is_unsure_ = true;  // it includes others
+    if (world::isTemplate(file)) is_unsure_ = true;  // it includes others
   }
   for (const fs::path& file : opened) {
     stamps_.add(file);
@@ -89,7 +89,7 @@ const world::Description& WorldFiles::world() {
 }
 
 const world::Model& WorldFiles::model(const std::string& model_or_uri, const std::string& name,
-                                      const world::XacroArguments& arguments) {
+                                      const world::TemplateArguments& arguments) {
   const auto key = std::make_tuple(model_or_uri, name, arguments);
   auto found = models_.find(key);
   if (found == models_.end()) {

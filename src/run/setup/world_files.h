@@ -38,7 +38,7 @@ class WorldFiles {
   /// @param name  of the object
   /// @param arguments  of a xacro file
   [[nodiscard]] const world::Model& model(const std::string& model_or_uri, const std::string& name,
-                                          const world::XacroArguments& arguments = {});
+                                          const world::TemplateArguments& arguments = {});
 
   /// Variants of the models.
   [[nodiscard]] ModelVarieties& varieties() { return varieties_; }
@@ -78,7 +78,7 @@ class WorldFiles {
   [[nodiscard]] const std::set<std::filesystem::path>& included() const { return included_; }
 
  private:
-  using Key = std::tuple<std::string, std::string, world::XacroArguments>;  ///< URI, name
+  using Key = std::tuple<std::string, std::string, world::TemplateArguments>;  ///< URI, name
 
   template <class Load>
   auto read(const Key& key, const Load& load) -> decltype(load());

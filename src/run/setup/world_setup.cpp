@@ -278,7 +278,7 @@ class WorldBuilder {
   std::vector<world::MovingObject> objects_;
   bool lacks_objects_ = false;
   /// Other objects with such a model, and its other sizes, would have the same errors.
-  std::set<std::pair<std::optional<std::string>, world::XacroArguments>> broken_models_;
+  std::set<std::pair<std::optional<std::string>, world::TemplateArguments>> broken_models_;
   world::Simulator simulator_ = world::Simulator::kClassic;
   WorldSetup setup_;
 };

@@ -78,11 +78,6 @@ class CameraReader {
   CameraImage image_;
 };
 
-bool isPinhole(const std::string& type) {
-  return type == "camera" || type == "depth" || type == "depth_camera" || type == "rgbd_camera" ||
-         type == "rgbd";
-}
-
 }  // namespace
 
 std::vector<CameraSensor> readCameras(const Element& sensor, const std::string& name,
@@ -92,7 +87,6 @@ std::vector<CameraSensor> readCameras(const Element& sensor, const std::string& 
   const bool wide_angle = type == "wideanglecamera" || type == "wide_angle_camera";
   const bool is_several = type == "multicamera";
   std::vector<CameraSensor> cameras;
-  if (!(wide_angle || is_several || isPinhole(type))) return cameras;
   for (const Element& camera : sensor.children("camera")) {
     const SourceLocation here = is_several ? locationOf(camera, location) : location;
     try {

@@ -8,8 +8,8 @@
 #include "base/input_file.h"
 #include "base/xml_text.h"
 #include "synthetic_dataset/errors.h"
+#include "world/files/template_file.h"
 #include "world/files/text.h"
-#include "world/files/xacro.h"
 #include "world/sdf/gz_plugins.h"
 #include "world/sdf/xml_repair.h"
 
@@ -96,10 +96,9 @@ class TemplateSearch : public tinyxml2::XMLVisitor {
  private:
   void take(const char* whose, const std::string& what, int line) {
     if (whose == nullptr || !found.empty()) return;
+    const bool is_xacros = std::string(whose) == "xacro's";
     found = "line " + std::to_string(line) + ": '" + trimmed(what) + "' is " + whose +
-            (std::string(whose) == "xacro's"
-                 ? ", which expands it where the file's name ends in .xacro"
-                 : ": the file is a template, and what Jinja makes of it should be named");
+            ", which expands it where the file's name ends in " + (is_xacros ? ".xacro" : ".jinja");
   }
 };
 
@@ -161,7 +160,7 @@ SdfVersion parseSdfVersion(const char* text) {
 
 const SdfFile& SdfFiles::read(const fs::path& file) {
   return keep(file.string(), file,
-              [&] { return isXacro(file) ? expandXacro(file, {}) : base::readInput(file); });
+              [&] { return isTemplate(file) ? expandTemplate(file, {}) : base::readInput(file); });
 }
 
 const SdfFile& SdfFiles::readText(const fs::path& name, const std::string& text) {

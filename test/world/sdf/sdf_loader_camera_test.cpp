@@ -153,5 +153,18 @@ TEST(SdfCamera, IsEachOneOfAMulticamera) {
   EXPECT_TRUE(cameras[1].X_WC.translation().isApprox(Eigen::Vector3d(0, -0.5, 0)));
 }
 
+TEST(SdfCamera, IsOfWhateverTypeItsSensorIs) {
+  const TemporaryFolder folder;
+  std::string sensors;
+  for (const char* type :
+       {"depth", "rgbd_camera", "thermal_camera", "segmentation", "boundingbox_camera"}) {
+    sensors += "<sensor name='" + std::string(type) + "' type='" + type + "'><camera>" +
+               kRightAngle + kImage + "</camera></sensor>";
+  }
+  sensors += "<sensor name='logical' type='logical_camera'><logical_camera/></sensor>";
+  const std::string text = worldFile(modelElement("mast", linkElement(sensors)));
+  EXPECT_THAT(loadText(folder, text).cameras, SizeIs(5));
+}
+
 }  // namespace sdf_loader_camera_test
 }  // namespace synthetic_dataset::world

@@ -233,7 +233,8 @@ TEST(MalformedSdf, IsATemplateThatNobodyHasExpanded) {
   EXPECT_THAT(
       errorsOf(folder, at("0 ${y} 0 0 0 0")),
       ElementsAre(AllOf(HasSubstr("line 1: '0 ${y} 0 0 0 0' is xacro's"), HasSubstr(".xacro"))));
-  EXPECT_THAT(errorsOf(folder, at("{{ x }} 0 0 0 0 0")), ElementsAre(HasSubstr("is Jinja's")));
+  EXPECT_THAT(errorsOf(folder, at("{{ x }} 0 0 0 0 0")),
+              ElementsAre(AllOf(HasSubstr("is Jinja's"), HasSubstr(".jinja"))));
   EXPECT_THAT(errorsOf(folder, "<sdf version='1.6'>\n<% 3.times do %>\n<world name='w'/></sdf>"),
               ElementsAre(HasSubstr("line 2: '<%' is ERB's")));
   const std::string plugin = "<plugin name='p' filename='f'><text>${HOME}</text></plugin>";

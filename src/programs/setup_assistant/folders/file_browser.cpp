@@ -84,7 +84,8 @@ std::string kindOfFile(const fs::path& file) {
   if (extension == ".bag" || motion::isBagPath(file.string())) return "bag";
   if (extension == ".world") return "world";
   if (extension == ".urdf" || extension == ".xacro") return "model";
-  if (extension == ".sdf") return beginsWith(file, {"<world"}) ? "world" : "model";
+  if (extension == ".sdf" || extension == ".jinja")
+    return beginsWith(file, {"<world"}) ? "world" : "model";
   if (extension == ".ini") return "calibration";
   if (extension == ".yaml" || extension == ".yml") {
     return beginsWith(file, {"camera_matrix", "camera_model", "intrinsics"}) ? "calibration"

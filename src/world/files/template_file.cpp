@@ -1,4 +1,4 @@
-#include "world/files/xacro.h"
+#include "world/files/template_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +21,7 @@ constexpr int kNotThere = 127;  ///< how programs end that are not there
 /// xacro's own program, which its Python module has as a function. What ROS 2 calls
 /// `$(find-pkg-share package)` is `$(find package)` to it. Its newest version, which PyPI has, asks
 /// ROS 2's index for packages; where that is not there, those of ROS_PACKAGE_PATH are meant.
-constexpr const char* kModule = R"py(
+constexpr const char* kXacro = R"py(
 import os
 import sys
 import types
@@ -66,19 +66,38 @@ if evaluate is not None:
 xacro.main()
 )py";
 
+/// Variables that no argument gives are empty, as Jinja has it.
+constexpr const char* kJinja = R"py(
+import os
+import sys
+
+try:
+    import jinja2.sandbox
+except ImportError:
+    sys.exit(127)
+
+folder, name = os.path.split(os.path.abspath(sys.argv[1]))
+environment = jinja2.sandbox.SandboxedEnvironment(loader=jinja2.FileSystemLoader(folder))
+try:
+    print(environment.get_template(name).render(dict(each.split(':=', 1) for each in sys.argv[2:])))
+except jinja2.TemplateSyntaxError as error:
+    sys.exit('line %d: %s' % (error.lineno, error.message))
+except Exception as error:
+    sys.exit('%s: %s' % (type(error).__name__, error))
+)py";
+
 /// Robots take a second or two.
 constexpr std::chrono::seconds kLongest{60};
 
 std::vector<std::string> commandLine(const std::filesystem::path& file,
-                                     const XacroArguments& arguments) {
+                                     const TemplateArguments& arguments) {
   std::vector<std::string> words = {file.string()};
   for (const auto& [name, value] : arguments) words.push_back(name + ":=" + value);
   return words;
 }
 
 /// What a user can type. @param words  of the command
-std::string shown(const std::vector<std::string>& words) {
-  std::string text = "xacro";
+std::string shown(std::string text, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     const bool plain = word.find_first_of(" \t'\"\\$`&|;<>()*?") == std::string::npos;
     text += plain ? " " + word : " '" + word + "'";
@@ -86,7 +105,7 @@ std::string shown(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The last lines of what xacro complains of: the first ones are where in Python it was.
+/// The last lines of what a program complains of: the first ones are where in Python it was.
 std::string lastLines(const std::string& text) {
   constexpr std::size_t kMost = 600;
   const std::string whole = trimmed(text);
@@ -105,8 +124,9 @@ std::filesystem::path packageAround(const std::filesystem::path& file) {
   return {};
 }
 
+/// @param name  for messages
 /// @return nothing where there is no such program
-std::optional<std::string> run(std::vector<std::string> command,
+std::optional<std::string> run(const std::string& name, std::vector<std::string> command,
                                const std::vector<std::string>& words) {
   command.insert(command.end(), words.begin(), words.end());
   // So that packages of ROS 2 are found, and that of the file with those beside it.
@@ -117,7 +137,7 @@ std::optional<std::string> run(std::vector<std::string> command,
   base::SandboxLimits limits;
   limits.processor_time = kLongest;
   const auto answer = base::runSandboxedProgram(command, limits);
-  const std::string called = "'" + shown(words) + "' ";
+  const std::string called = "'" + shown(name, words) + "' ";
   if (const auto* crash = std::get_if<base::Crash>(&answer)) throw Error(called + crash->how);
   const auto& result = std::get<base::ProgramResult>(answer);
   if (result.exit_code == kNotThere) return std::nullopt;
@@ -129,35 +149,50 @@ std::optional<std::string> run(std::vector<std::string> command,
   return result.output;
 }
 
+std::string expandXacro(const std::vector<std::string>& words) {
+  const auto runModule = [&] { return run("xacro", {"python3", "-c", kXacro}, words); };
+  try {
+    if (auto text = run("xacro", {"xacro"}, words)) return *text;
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    const bool is_of_ros2 = what.find("find-pkg-share") != std::string::npos ||
+                            what.find("ament_index_python") != std::string::npos;
+    const auto text = is_of_ros2 ? runModule() : std::nullopt;
+    if (!text) throw;
+    return *text;
+  }
+  if (auto text = runModule()) return *text;
+  throw Error(
+      "is a xacro file, and there is no xacro to expand it, neither the program on PATH "
+      "nor the Python module. Install it (ROS Noetic: apt install ros-noetic-xacro; "
+      "elsewhere: python3 -m pip install --no-deps --target "
+      "~/.local/share/synthetic_dataset/xacro xacro, as scripts/install_dependencies.sh "
+      "does), or run '" +
+      shown("xacro", words) + " > robot.urdf' where it is, and name robot.urdf");
+}
+
+std::string expandJinja(const std::vector<std::string>& words) {
+  if (auto text = run("Jinja of", {"python3", "-c", kJinja}, words)) return *text;
+  throw Error(
+      "is a template of Jinja's, and there is no Jinja to expand it: apt install python3-jinja2, "
+      "or name what was "
+      "made of it elsewhere");
+}
+
 }  // namespace
 
-bool isXacro(const std::filesystem::path& file) { return file.extension() == ".xacro"; }
+bool isTemplate(const std::filesystem::path& file) {
+  const std::string ending = file.extension();
+  return ending == ".xacro" || ending == ".jinja" || ending == ".j2";
+}
 
-std::string expandXacro(const std::filesystem::path& file, const XacroArguments& arguments) {
+std::string expandTemplate(const std::filesystem::path& file, const TemplateArguments& arguments) {
   const std::vector<std::string> words = commandLine(file, arguments);
-  const auto runModule = [&] { return run({"python3", "-c", kModule}, words); };
   try {
-    try {
-      if (auto text = run({"xacro"}, words)) return *text;
-    } catch (const Error& error) {
-      const std::string what = error.what();
-      const bool is_of_ros2 = what.find("find-pkg-share") != std::string::npos ||
-                              what.find("ament_index_python") != std::string::npos;
-      const auto text = is_of_ros2 ? runModule() : std::nullopt;
-      if (!text) throw;
-      return *text;
-    }
-    if (auto text = runModule()) return *text;
+    return file.extension() == ".xacro" ? expandXacro(words) : expandJinja(words);
   } catch (const Error& error) {
     throw Error(file.string() + ": " + error.what());
   }
-  throw Error(file.string() +
-              ": is a xacro file, and there is no xacro to expand it, neither the program on PATH "
-              "nor the Python module. Install it (ROS Noetic: apt install ros-noetic-xacro; "
-              "elsewhere: python3 -m pip install --no-deps --target "
-              "~/.local/share/synthetic_dataset/xacro xacro, as scripts/install_dependencies.sh "
-              "does), or run '" +
-              shown(words) + " > robot.urdf' where it is, and name robot.urdf");
 }
 
 }  // namespace synthetic_dataset::world

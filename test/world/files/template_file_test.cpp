@@ -1,6 +1,6 @@
-/// xacro through the loader, with stand-ins for the program on PATH.
+/// Templates through the loader; for xacro, with stand-ins for the program on PATH.
 
-#include "world/files/xacro.h"
+#include "world/files/template_file.h"
 
 #include <cstdlib>
 
@@ -12,7 +12,7 @@
 #include "world/sdf/sdf_loader_support.h"
 
 namespace synthetic_dataset::world {
-namespace xacro_test {
+namespace template_file_test {
 
 using synthetic_dataset::test::messagesOf;
 using test::TemporaryFolder;
@@ -113,7 +113,7 @@ TEST_F(Xacro, IsGivenThePackagesOfRos2) {
 
 TEST_F(Xacro, IsEndedWhereItCrashes) {
   install("kill -SEGV $$");
-  EXPECT_THAT(messagesOf([&] { (void)expandXacro(file_, {}); }),
+  EXPECT_THAT(messagesOf([&] { (void)expandTemplate(file_, {}); }),
               ElementsAre(HasSubstr("crashes (Segmentation fault)")));
 }
 
@@ -127,5 +127,39 @@ TEST_F(Xacro, ExpandsAFileThatAModelsFolderNames) {
   EXPECT_EQ(loadWorld(world.string(), finder).models.at(0).links.at(0).name, "arm");
 }
 
-}  // namespace xacro_test
+TEST(Jinja, MakesAWorldOfItsFile) {
+  const TemporaryFolder folder;
+  const auto world = folder.write(
+      "a.world.jinja",
+      test::worldFile("{%- set y = 0.3 -%}{% for i in range(2) %}" +
+                      test::modelElement(
+                          "m{{ i }}", "<pose>0 {{ i * y }} 0 0 0 0</pose>" + test::linkElement()) +
+                      "{% endfor %}"));
+  const Description described = loadWorld(world.string(), test::finderIn(folder));
+  ASSERT_EQ(described.models.size(), 2U);
+  EXPECT_DOUBLE_EQ(described.models[1].X_WM.translation().y(), 0.3);
+}
+
+TEST(Jinja, IsGivenTheArgumentsOfAModel) {
+  const TemporaryFolder folder;
+  (void)folder.write("part.sdf", test::linkElement());
+  const auto file = folder.write(
+      "a.sdf.jinja", test::modelFile("m", "{% if arm %}{% include 'part.sdf' %}{% endif %}"));
+  const ResourceFinder finder = test::finderIn(folder);
+  WorldLoader loader(finder);
+  EXPECT_EQ(loader.loadModel(file.string(), "alpha", {{"arm", "1"}}).links.size(), 1U);
+}
+
+TEST(Jinja, TellsWhatIsWrongWithTheFile) {
+  const TemporaryFolder folder;
+  const auto faultOf = [&](const std::string& text) {
+    const auto file = folder.write("a.sdf.jinja", text);
+    return messagesOf([&] { (void)expandTemplate(file, {}); });
+  };
+  EXPECT_THAT(faultOf("<sdf>\n{% if %}</sdf>"),
+              ElementsAre(AllOf(HasSubstr("a.sdf.jinja: "), HasSubstr("line 2: "))));
+  EXPECT_THAT(faultOf("{{ ''.__class__.__mro__ }}"), ElementsAre(HasSubstr("SecurityError")));
+}
+
+}  // namespace template_file_test
 }  // namespace synthetic_dataset::world
