@@ -38,9 +38,14 @@ bool isMeant(const std::string& target, const world::LinkInstance& link,
   return std::find(names.begin(), names.end(), target) != names.end();
 }
 
+/// A kind of thing, of which there may be none: an empty world is one, too.
+bool isKind(const std::string& target) {
+  return target == kObjects || target == kWorld || target == kDistractors;
+}
+
 /// How much of the world a target is: what is more special counts over the rest.
 std::ptrdiff_t rankOf(const std::string& target) {
-  if (target == kObjects || target == kWorld || target == kDistractors) return 0;
+  if (isKind(target)) return 0;
   return 1 + std::count(target.begin(), target.end(), ':');
 }
 
@@ -166,7 +171,7 @@ void LookSampler::findSurfaces(const std::string& target, const MaterialRandomiz
       }
     }
   }
-  if (!indices.empty()) return;
+  if (!indices.empty() || isKind(target)) return;
   errors.error(parameter,
                "the world has nothing of this name that can be seen; it should be objects, "
                "distractors, world, a model, model::link or model::link::visual" +

@@ -618,6 +618,10 @@ TEST_F(LookSamplerTest, NamesAModelLinkOrVisualThatTheWorldDoesNotHave) {
               ElementsAre("randomize/materials/hull" + problem));
 }
 
+TEST_F(LookSamplerTest, TakesAKindOfThingOfWhichThereIsNone) {
+  EXPECT_THAT(errorsOf("materials: {distractors: {colour: 0.5}}"), IsEmpty());
+}
+
 TEST_F(LookSamplerTest, NamesAFolderWithoutPictures) {
   EXPECT_THAT(errorsOf("materials: {objects: {textures: /nowhere}}"),
               ElementsAre("randomize/materials/objects/textures: found '/nowhere': No such file or "
