@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "world/files/text.h"
 
@@ -11,6 +12,8 @@ namespace synthetic_dataset::world {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+constexpr std::string_view kLibraries = "mtllib";
 
 /// The longest line with a name [byte].
 constexpr std::size_t kLongestStatement = 4096;
@@ -99,6 +102,20 @@ void appendCorners(std::string_view line, const std::array<bool, 2>& keeps, std:
   }
 }
 
+/// The names in "two.mtl my own.mtl": blanks may be part of one, and the next begins behind ".mtl".
+std::vector<std::string> libraryNames(const std::string& names) {
+  std::vector<std::string> found;
+  std::size_t begin = 0;
+  for (std::size_t i = 4; i < names.size(); ++i) {
+    const std::string ending = names.substr(i - 4, 4);
+    if (!isBlank(names[i]) || (ending != ".mtl" && ending != ".MTL")) continue;
+    found.push_back(trimmed(names.substr(begin, i - begin)));
+    begin = i;
+  }
+  found.push_back(trimmed(names.substr(begin)));
+  return found;
+}
+
 /// What stands behind a keyword, on each line that begins with it.
 std::vector<std::string> namesAfter(std::string_view keyword, const std::string& text) {
   std::vector<std::string> names;
@@ -119,6 +136,12 @@ std::string repairedObj(const std::string& text) {
       appendNumbers(line, to);
     } else if (!has_all && isOf(line, "f")) {
       appendCorners(line, keeps, to);
+    } else if (isOf(line, kLibraries)) {
+      std::string_view newline;
+      for (const std::string& name : libraryNames(std::string(line.substr(kLibraries.size())))) {
+        to.append(newline).append(kLibraries).append(" ").append(name);
+        newline = "\n";
+      }
     } else {
       to += line;
     }
@@ -130,7 +153,11 @@ std::string repairedMtl(const std::string& text) {
 }
 
 std::vector<std::string> librariesOfObj(const std::string& text) {
-  return namesAfter("mtllib", text);
+  std::vector<std::string> libraries;
+  for (const std::string& names : namesAfter(kLibraries, text)) {
+    for (std::string& name : libraryNames(names)) libraries.push_back(std::move(name));
+  }
+  return libraries;
 }
 
 std::vector<std::string> materialsOfMtl(const std::string& text) {

@@ -7,8 +7,9 @@ namespace synthetic_dataset::world {
 
 /// An OBJ file's text as assimp reads it rightly: assimp (5.2) drops lines with numbers such as
 /// `.4` without a word, and takes blanks at the end of a line, and a byte order mark at the text's
-/// begin, for parts of names. A face whose
-/// corners name texture coordinates or normals of a file that has none would be dropped as well.
+/// begin, for parts of names; and it takes several material libraries on a line for one. A face
+/// whose corners name texture coordinates or normals of a file that has none would be dropped as
+/// well.
 [[nodiscard]] std::string repairedObj(const std::string& text);
 
 /// The same of a material library.

@@ -115,6 +115,13 @@ TEST_F(MeshRepair, ReadsObjAndItsLibraryWithMarksAndBlanks) {
   EXPECT_THAT(file.notes, IsEmpty());
 }
 
+TEST_F(MeshRepair, TellsSeveralLibrariesOnALineApart) {
+  EXPECT_EQ(repairedObj("mtllib a.mtl my own.MTL  b.mtl\nv 0 0 0"),
+            "mtllib a.mtl\nmtllib my own.MTL\nmtllib b.mtl\nv 0 0 0");
+  EXPECT_EQ(librariesOfObj("mtllib a.mtl my own.mtl"),
+            (std::vector<std::string>{"a.mtl", "my own.mtl"}));
+}
+
 TEST_F(MeshRepair, LeavesNamesThatBeginWithAPoint) {
   EXPECT_EQ(repairedObj("usemtl .5\nv .5 0 0"), "usemtl .5\nv 0.5 0 0");
   EXPECT_EQ(repairedObj("v 1.5 -1.5 .\n\n"), "v 1.5 -1.5 .\n\n");
