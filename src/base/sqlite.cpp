@@ -28,8 +28,8 @@ bool hasContent(const std::string& file) {
 
 }  // namespace
 
-/// Where a statement outlives its database, it takes the connection with it. sqlite3_close would leave
-/// both. https://www.sqlite.org/c3ref/close.html
+/// Where a statement outlives its database, it takes the connection with it. sqlite3_close would
+/// leave both. https://www.sqlite.org/c3ref/close.html
 void SqliteConnection::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
 SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)

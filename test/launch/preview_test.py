@@ -2,8 +2,11 @@
 """What nodes publish: `preview` what `generate` writes, at the instants that are asked for; `generate`
 how far it is."""
 import json
+import os
 import pathlib
+import pty
 import queue
+import runpy
 import subprocess
 import tempfile
 import unittest
@@ -152,6 +155,41 @@ class Preview(unittest.TestCase):
         self.assertTrue(all(len(way.points) > 10 for way in ways) and ways)
         info = Listener('/preview/camera/camera_info', CameraInfo).next()
         self.assertEqual((info.width, info.height), (640, 480))
+
+    def test_rviz_is_told_where_to_look(self):
+        self.jump(0)
+        world = Listener('/preview/world', MarkerArray).next().markers[1:]
+        self.assertTrue(any(marker.ns == 'world' and len(marker.points) == len(marker.colors) > 100 for marker in world))
+        self.assertEqual({marker.header.frame_id for marker in world}, {'map'})
+        self.jump(LAST)
+        self.status.forget()
+        self.call('pause')
+        status = json.loads(self.status.next().data)
+        self.assertEqual((status['frame'], status['cameras']), ('map', ['camera']))
+        config = REPOSITORY / 'launch' / 'preview.rviz'
+        fitted = runpy.run_path(str(REPOSITORY / 'scripts' / 'preview_rviz'))['fitted'](
+            yaml.safe_load(config.read_text(encoding='utf-8')), status)
+        view = fitted['Visualization Manager']['Views']['Current']
+        self.assertEqual(list(view['Focal Point'].values()), status['middle'])
+        self.assertGreater(view['Distance'], status['reach'])
+
+    def test_keys_in_a_terminal_steer_it(self):
+        self.jump(0)
+        terminal, its_end = pty.openpty()
+        with subprocess.Popen([str(ros_programs.path_of('preview_keys'))], stdin=its_end,
+                              stdout=subprocess.PIPE, env=dict(os.environ, PYTHONUNBUFFERED='1')) as keys:
+            while b'standing' not in keys.stdout.read1():
+                pass  # it knows the state from there on
+            for key, instant in ((b'n', 1), (b'\x1b[C', 2), (b'p', 1)):
+                self.status.forget()
+                os.write(terminal, key)
+                self.status.next(shows(instant))
+            os.write(terminal, b' ')
+            self.status.next(lambda message: json.loads(message.data)['state'] == 'playing')
+            os.write(terminal, b'q')
+            keys.stdout.read()
+            self.assertEqual(keys.wait(timeout=ros_programs.TIMEOUT), 0)
+        self.call('pause')
 
     def test_it_plays_at_a_rate(self):
         self.jump(0)

@@ -49,8 +49,8 @@ def screen(file):
 def likeness(picture, shown):
     """The best correlation of a picture, in any size that a panel may have, with a part of the screen."""
     best = -1.0
-    shown = shown[:, :400]  # the panels at the left
-    for width in range(120, 400, 2):
+    shown = shown[:, :600]  # the panels at the left
+    for width in range(400, 600, 2):
         height = round(width * picture.shape[0] / picture.shape[1])
         if height > shown.shape[0] or width > shown.shape[1]:
             break

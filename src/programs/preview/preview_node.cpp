@@ -9,6 +9,7 @@
 #include <ros/init.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
+#include <Eigen/Geometry>
 
 #include "base/json_text.h"
 #include "programs/console/console_reporter.h"
@@ -75,6 +76,20 @@ std::string nameOf(PreviewControl::State state) {
       return "playing";
   }
   return "";
+}
+
+/// The middle of all objects that are somewhere, and how far they reach from it [m].
+Value::Map ballAround(const std::vector<SceneObject>& objects) {
+  Eigen::AlignedBox3d box;
+  for (const SceneObject& object : objects) {
+    if (!object.X_GO) continue;
+    for (const Eigen::Vector3d& corner_O : object.cuboid_O.corners())
+      box.extend(*object.X_GO * corner_O);
+  }
+  if (box.isEmpty()) return {};
+  const Eigen::Vector3d middle = box.center();
+  return {{"middle", Value(Value::List{Value(middle.x()), Value(middle.y()), Value(middle.z())})},
+          {"reach", Value(0.5 * box.diagonal().norm())}};
 }
 
 /// Warnings come to the console, once each; another order stops the loop.
@@ -166,15 +181,18 @@ void PreviewNode::carryOut(const PreviewControl::Order& order) {
       if (each.severity == base::Severity::kWarning) reporter.warning(each.message());
     }
   }
-  keepTimes(setup);
   topics_.open(setup);
+  keepRun(setup);
   PreviewSink sink(control_, std::min(order.instant, setup.instantCount() - 1),
                    topics_.takeRequirements(), [this](const Scene& scene) { show(scene); });
   run::SceneLoop(setup, sink, reporter).run();
 }
 
-void PreviewNode::keepTimes(const run::RunSetup& setup) {
+void PreviewNode::keepRun(const run::RunSetup& setup) {
+  Value::List cameras;
+  for (const std::string& topic : topics_.cameraTopics()) cameras.emplace_back(topic);
   const std::lock_guard<std::mutex> lock(mutex_);
+  of_run_ = {{"frame", Value(setup.config.global_frame)}, {"cameras", Value(cameras)}};
   times_.clear();
   for (const run::MotionSetup& motion : setup.motions) {
     times_.insert(times_.end(), motion.timeline.stamps.begin(), motion.timeline.stamps.end());
@@ -189,6 +207,7 @@ void PreviewNode::show(const Scene& scene) {
     shown_->name = scene.name;
     shown_->instant = scene.instant;
     shown_->stamp = scene.stamp;
+    surroundings_ = ballAround(scene.objects);
   }
   publishStatus();
 }
@@ -198,6 +217,8 @@ void PreviewNode::publishStatus(const std::string& error) {
   if (!error.empty()) status["error"] = Value(error);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& of_status : {of_run_, surroundings_})
+      status.insert(of_status.begin(), of_status.end());
     status["instants"] = Value(static_cast<std::int64_t>(times_.size()));
     if (shown_) {
       status["scene"] = Value(shown_->name);

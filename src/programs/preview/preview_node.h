@@ -42,7 +42,7 @@ class PreviewNode {
   void jumpToTime(const std_msgs::Time& message);
   void setRate(const std_msgs::Float64& message);
   void carryOut(const PreviewControl::Order& order);
-  void keepTimes(const run::RunSetup& setup);
+  void keepRun(const run::RunSetup& setup);
   void show(const Scene& scene);
   void publishStatus(const std::string& error = "");
 
@@ -54,7 +54,9 @@ class PreviewNode {
   SceneTopics topics_;
   std::mutex mutex_;            ///< of what follows
   std::vector<Stamp> times_;    ///< of the run's instants
+  Value::Map of_run_;           ///< of the status, what holds for all instants
   std::optional<Scene> shown_;  ///< without its pictures
+  Value::Map surroundings_;     ///< of the status, where the objects are
   ros::Publisher status_;
   std::vector<ros::ServiceServer> services_;
   std::vector<ros::Subscriber> subscribers_;

@@ -13,6 +13,7 @@
 #include "base/ros_messages/image_messages.h"
 #include "programs/drawing/scene_picture.h"
 #include "programs/preview/preview_markers.h"
+#include "programs/preview/preview_world.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -32,29 +33,43 @@ SceneTopics::SceneTopics(ros::NodeHandle& node, const std::string& frame_prefix,
       on_missing_(std::move(on_missing)),
       frames_("", frame_prefix),
       transforms_(node.advertise<tf2_msgs::TFMessage>("/tf", 10)),
-      labels_(advertise<visualization_msgs::MarkerArray>("labels", &Requirements::visible_masks)),
+      labels_(advertise<visualization_msgs::MarkerArray>("labels",
+                                                         [this] { return made_.visible_masks; })),
       view_markers_(advertise<visualization_msgs::MarkerArray>("views")),
-      ways_(advertise<visualization_msgs::MarkerArray>("ways")) {}
+      ways_(advertise<visualization_msgs::MarkerArray>("ways")),
+      world_(advertise<visualization_msgs::MarkerArray>("world", [this] { return shows_world_; })) {
+}
 
 template <class Message>
-ros::Publisher SceneTopics::advertise(const std::string& topic, bool Requirements::*needs) {
+ros::Publisher SceneTopics::advertise(const std::string& topic, std::function<bool()> is_made) {
   constexpr std::uint32_t kQueue = 4;
-  const auto ask = [this, needs](const ros::SingleSubscriberPublisher& /*listener*/) {
-    bool is_missing = false;
-    if (needs != nullptr) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      is_missing = !(made_.*needs);
-    }
-    if (is_missing) on_missing_();
-  };
+  const auto ask =
+      [this, is_made = std::move(is_made)](const ros::SingleSubscriberPublisher& /*listener*/) {
+        bool is_missing = false;
+        if (is_made) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          is_missing = !is_made();
+        }
+        if (is_missing) on_missing_();
+      };
   return node_.advertise<Message>(topic, kQueue, ask, {}, {}, true);
+}
+
+/// It is large, and made for somebody alone.
+void SceneTopics::showWorld(const world::World& world) {
+  const bool is_heard = isHeard(world_);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    shows_world_ = is_heard;
+  }
+  if (is_heard) world_.publish(worldMarkers(world, frames_, now()));
 }
 
 void SceneTopics::open(const run::RunSetup& setup) {
   frames_ = ros_messages::SceneFrames(setup.config.global_frame, frame_prefix_);
   std::vector<std::string> names;
   for (const scene::CameraRig& rig : setup.motions.front().cameras) names.push_back(rig.name);
-  const std::vector<std::string> topics = ros_messages::topicNames(names);
+  camera_topics_ = ros_messages::topicNames(names);
   std::vector<Camera> before = std::exchange(cameras_, {});
   std::set<std::string> placed;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -64,23 +79,25 @@ void SceneTopics::open(const run::RunSetup& setup) {
       cameras_.push_back(std::move(before[i]));
       cameras_.back().frame = camera;
     } else {
-      addCamera(names[i], topics[i], camera);
+      addCamera(names[i], camera_topics_[i], camera);
     }
   }
   views_.assign(names.size(), {});
   ways_.publish(wayMarkers(setup.motions.front(), frames_, now()));
+  showWorld(*setup.motions.front().world);
 }
 
 void SceneTopics::addCamera(const std::string& name, const std::string& topic,
                             const ros_messages::CameraFrame& frame) {
   using sensor_msgs::CameraInfo;
   using sensor_msgs::Image;
+  const auto has_masks = [this] { return made_.visible_masks; };
   cameras_.push_back({name, frame, advertise<Image>(topic + "/image_raw"),
                       advertise<CameraInfo>(topic + "/camera_info"),
-                      advertise<Image>(topic + "/image_labels", &Requirements::visible_masks),
-                      advertise<Image>(topic + "/depth/image_raw", &Requirements::depth),
+                      advertise<Image>(topic + "/image_labels", has_masks),
+                      advertise<Image>(topic + "/depth/image_raw", [this] { return made_.depth; }),
                       advertise<CameraInfo>(topic + "/depth/camera_info"),
-                      advertise<Image>(topic + "/instances", &Requirements::visible_masks)});
+                      advertise<Image>(topic + "/instances", has_masks)});
 }
 
 Requirements SceneTopics::takeRequirements() {

@@ -30,8 +30,11 @@ class SceneTopics {
   SceneTopics(ros::NodeHandle& node, const std::string& frame_prefix,
               std::function<void()> on_missing);
 
-  /// Makes the topics of a run's cameras, and shows the objects' ways.
+  /// Makes the topics of a run's cameras, and shows the world and the objects' ways.
   void open(const run::RunSetup& setup);
+
+  /// Below which each camera's topics are, in the order of the cameras.
+  [[nodiscard]] const std::vector<std::string>& cameraTopics() const { return camera_topics_; }
 
   /// What has to be made of each scene for those who listen now. It is what is made from now on.
   [[nodiscard]] Requirements takeRequirements();
@@ -52,9 +55,11 @@ class SceneTopics {
     ros::Publisher instances;
   };
 
+  /// @param is_made  whether what the topic has is made already; none: it always is
   template <class Message>
   [[nodiscard]] ros::Publisher advertise(const std::string& topic,
-                                         bool Requirements::*needs = nullptr);
+                                         std::function<bool()> is_made = {});
+  void showWorld(const world::World& world);
   void addCamera(const std::string& name, const std::string& topic,
                  const ros_messages::CameraFrame& frame);
   void showLabels(const Scene& scene, const Camera& camera, const std_msgs::Header& header);
@@ -64,13 +69,16 @@ class SceneTopics {
   std::function<void()> on_missing_;
   ros_messages::SceneFrames frames_;
   std::vector<Camera> cameras_;
+  std::vector<std::string> camera_topics_;
   std::mutex mutex_;
-  Requirements made_;                              ///< of the scenes
+  Requirements made_;  ///< of the scenes
+  bool shows_world_ = false;
   std::vector<visualization_msgs::Marker> views_;  ///< of the cameras at the instant
   ros::Publisher transforms_;
   ros::Publisher labels_;
   ros::Publisher view_markers_;
   ros::Publisher ways_;
+  ros::Publisher world_;
 };
 
 }  // namespace synthetic_dataset::programs

@@ -48,7 +48,8 @@ class SdfFiles {
   /// @throws Error if it is not a regular file, not XML even when repaired, or neither SDF nor
   /// URDF:
   ///     "world.sdf: line 2: cannot be read as XML (...)"
-  ///     A template that is left as it is says so; one of xacro's or Jinja's is read as what is made of it.
+  ///     A template that is left as it is says so; one of xacro's or Jinja's is read as what is
+  ///     made of it.
   [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
 
   /// Parses a text that is in no file.
