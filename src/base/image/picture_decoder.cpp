@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,7 @@
 #include "base/image/picture_check.h"
 #include "base/image/picture_size.h"
 #include "base/sandbox/byte_stream.h"
+#include "base/sandbox/kept_process.h"
 #include "base/sandbox/sandboxed_batch.h"
 #include "base/sandbox/sandboxed_process.h"
 #include "synthetic_dataset/errors.h"
@@ -180,16 +182,37 @@ void decodeInto(const Batch& batch, std::map<std::string, cv::Mat>& pictures) {
   }
 }
 
-/// @return 8 or 16 bits a number as decodePixels() has it, or CV_32FC3: red, green, blue
-cv::Mat decodeAny(const Bytes& file, const std::string& name) {
-  const Bytes essential = checked(file);
+/// Decodes one picture after another.
+KeptProcess& keptDecoder() {
   setUpCodecs();
-  const auto work = [&] { return toBytes(decode(essential, name)); };
-  const std::variant<std::string, Crash> answer = runSandboxed(work, decodingLimits());
+  static KeptProcess decoder(
+      [](std::string_view request) {
+        ByteReader reader(request);
+        const std::string name = reader.text();
+        return toBytes(decode(reader.list<std::uint8_t>(), name));
+      },
+      decodingLimits());
+  return decoder;
+}
+
+/// What toBytes() makes of its pixels. A picture that the decoder fails at gets a process of its
+/// own, which tells what is wrong with it alone.
+std::string decodeApart(const Bytes& file, const std::string& name) {
+  ByteWriter request;
+  request.text(name);
+  request.list(file);
+  if (auto answer = keptDecoder().ask(request.take())) return *std::move(answer);
+  const auto work = [&] { return toBytes(decode(file, name)); };
+  std::variant<std::string, Crash> answer = runSandboxed(work, decodingLimits());
   if (const auto* crash = std::get_if<Crash>(&answer)) {
     throw Error("cannot be decoded (its decoder " + crash->how + ")");
   }
-  cv::Mat pixels = fromBytes(std::get<std::string>(answer));
+  return std::get<std::string>(std::move(answer));
+}
+
+/// @return 8 or 16 bits a number as decodePixels() has it, or CV_32FC3: red, green, blue
+cv::Mat decodeAny(const Bytes& file, const std::string& name) {
+  cv::Mat pixels = fromBytes(decodeApart(checked(file), name));
   const bool is_known = pixels.depth() == CV_8U || pixels.depth() == CV_16U ||
                         (isLight(PictureBytes(file)) && pixels.type() == CV_32FC3);
   if (pixels.empty() || !is_known)
@@ -217,6 +240,8 @@ cv::Mat lightOf(const cv::Mat& pixels) {
 }
 
 }  // namespace
+
+void startPictureDecoder() { keptDecoder().start(); }
 
 PictureSize checkPicture(const Bytes& file, const std::string& name) {
   static_cast<void>(checked(file));

@@ -6,9 +6,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <new>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/sandbox/child_process.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::base {
@@ -39,36 +38,16 @@ constexpr int kRestarts = 3;
 
 constexpr std::chrono::milliseconds kForEver{-1};  // poll(2)
 
-/// The process' address space [byte] (proc(5), statm).
-std::uint64_t addressSpace() {
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
-
-/// In the child: no core file, no output, no handlers, and an end, its parent's at the latest.
+/// In the child, which ends with its parent at the latest.
 void prepare(const SandboxLimits& limits, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kError);  // it has ended already
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
   const auto seconds = static_cast<rlim_t>(limits.processor_time.count());
   const rlimit processor{seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &processor);
-  const rlim_t bytes = addressSpace() + limits.memory;
-  const rlimit memory{bytes, bytes};
-  setrlimit(RLIMIT_AS, &memory);
-  const int nowhere = open("/dev/null", O_WRONLY);
-  dup2(nowhere, STDOUT_FILENO);
-  dup2(nowhere, STDERR_FILENO);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM, SIGPIPE}) {
-    std::signal(signal, SIG_DFL);
-  }
+  becomeSandboxed(limits);
   alarm(kPatience * static_cast<unsigned>(limits.processor_time.count()));
 }
-
-/// Whether this is such a process.
-bool is_sandboxed = false;
 
 void writeAll(int to, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -81,7 +60,6 @@ void writeAll(int to, std::string_view bytes) {
 [[noreturn]] void run(const std::function<std::string()>& work, const SandboxLimits& limits,
                       pid_t parent, int to) {
   prepare(limits, parent);
-  is_sandboxed = true;
   int code = kDone;
   try {
     writeAll(to, work());
@@ -92,23 +70,6 @@ void writeAll(int to, std::string_view bytes) {
     code = kError;
   }
   _exit(code);  // without the parent's exit handlers and buffers
-}
-
-/// The processor time of a process that waits [clock ticks], or -1 where it does not (proc(5)).
-std::int64_t timeOfWaiting(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string stat;
-  std::getline(file, stat);
-  // The name, in brackets, may hold anything; the state follows it, the two times are 11 further.
-  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
-  std::string state;
-  std::string other;
-  std::int64_t user = 0;
-  std::int64_t system = 0;
-  fields >> state;
-  for (int i = 0; i < 10; ++i) fields >> other;
-  fields >> user >> system;
-  return state == "S" && fields ? user + system : -1;
 }
 
 /// What a child sends until it ends; nothing if, from one `interval` to the next, it sends nothing
@@ -196,11 +157,8 @@ SandboxedProcess::~SandboxedProcess() { stop(); }
 
 void SandboxedProcess::stop() noexcept {
   if (child_ < 0) return;
-  kill(child_, SIGKILL);
   close(std::exchange(reading_, -1));
-  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
-  }
-  child_ = -1;
+  endChild(std::exchange(child_, -1));
 }
 
 std::optional<std::string> SandboxedProcess::receive() {
@@ -234,7 +192,7 @@ std::variant<std::string, Crash> SandboxedProcess::finish() {
 void limitSandboxTime(std::chrono::seconds processor_time) {
   rlimit limit{};
   rusage usage{};
-  if (!is_sandboxed || getrlimit(RLIMIT_CPU, &limit) != 0 || getrusage(RUSAGE_SELF, &usage) != 0) {
+  if (!isSandboxed() || getrlimit(RLIMIT_CPU, &limit) != 0 || getrusage(RUSAGE_SELF, &usage) != 0) {
     return;
   }
   const auto used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1;
