@@ -153,6 +153,24 @@ TEST_F(RunCheckTest, AnObjectBeyondTheFarPlaneIsNamed) {
                                         "camera/far in 4")));
 }
 
+TEST_F(RunCheckTest, ARunSaysThatAnObjectIsBeyondTheFarPlane) {
+  camera()["far"] = Value(2.0);
+  EXPECT_THAT(warnings(), Contains(HasSubstr("'alpha' is in view, and beyond camera/far, 2 m")));
+}
+
+TEST_F(RunCheckTest, ACameraOnTheFrameOfItsBodyIsNamed) {
+  test::BagBuilder bag(run.folder() / "tiny.bag");
+  bag.fix("map", "camera_link", milliseconds(1000), poseAt(-3.0, 0.0, 0.5));
+  bag.fix("map", "bravo/base_link", milliseconds(1000), poseAt(0.0, 1.0, 0.0));
+  bag.move("map", "alpha/base_link", milliseconds(1000), poseAt(0.0, 0.0, 0.0));
+  bag.move("map", "alpha/base_link", milliseconds(2000), poseAt(0.0, 0.2, 0.0));
+  bag.close();
+  camera().erase("pose");
+  camera()["frame_id"] = Value("camera_link");
+  EXPECT_THAT(odd(), Contains(HasSubstr("body frame | camera: its frame 'camera_link' looks "
+                                        "straight up all the time")));
+}
+
 TEST_F(RunCheckTest, AnObjectThatIsHardlySeenIsNamed) {
   record([](double t) { return poseAt(0.0, t < 0.03 ? 0.0 : 3.5, 0.0); });
   parameters["simulated_rate"] = Value(20.0);
