@@ -61,23 +61,6 @@ void addTransform(const std_msgs::Header& header, const std::string& child, cons
   message.transforms.push_back(transform(header, child, X_GB));
 }
 
-/// Colours that differ however many classes there are: hues a golden ratio apart.
-std_msgs::ColorRGBA classColour(int class_id, float opacity) {
-  constexpr double kGoldenRatio = 0.6180339887498949;
-  const double hue = std::fmod(class_id * kGoldenRatio, 1.0);
-  // HSV to RGB with S = V = 1: V - max(0, min(k, 4 - k, 1)), k = (n + 6 hue) mod 6, n = 5, 3, 1.
-  const auto channel = [&](double n) {
-    const double k = std::fmod(n + 6.0 * hue, 6.0);
-    return static_cast<float>(1.0 - std::max(0.0, std::min({k, 4.0 - k, 1.0})));
-  };
-  std_msgs::ColorRGBA colour;
-  colour.r = channel(5.0);
-  colour.g = channel(3.0);
-  colour.b = channel(1.0);
-  colour.a = opacity;
-  return colour;
-}
-
 Marker boxMarker(const std_msgs::Header& header, const SceneObject& object) {
   Marker box;
   box.header = header;
@@ -141,6 +124,22 @@ SceneFrames::SceneFrames(const std::string& global_frame, const std::string& pre
     : global_frame_(withoutSlash(global_frame)), prefix_(withoutSlash(prefix)) {}
 
 std::string SceneFrames::of(const std::string& name) const { return prefix_ + withoutSlash(name); }
+
+std_msgs::ColorRGBA classColour(int class_id, float opacity) {
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  const double hue = std::fmod(class_id * kGoldenRatio, 1.0);
+  // HSV to RGB with S = V = 1: V - max(0, min(k, 4 - k, 1)), k = (n + 6 hue) mod 6, n = 5, 3, 1.
+  const auto channel = [&](double n) {
+    const double k = std::fmod(n + 6.0 * hue, 6.0);
+    return static_cast<float>(1.0 - std::max(0.0, std::min({k, 4.0 - k, 1.0})));
+  };
+  std_msgs::ColorRGBA colour;
+  colour.r = channel(5.0);
+  colour.g = channel(3.0);
+  colour.b = channel(1.0);
+  colour.a = opacity;
+  return colour;
+}
 
 std_msgs::Header headerOf(Stamp stamp, const std::string& frame) {
   std_msgs::Header result;

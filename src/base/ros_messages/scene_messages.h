@@ -46,6 +46,9 @@ struct CameraFrame {
 /// @throws Error when ROS has no such time, as the functions below do
 [[nodiscard]] std_msgs::Header headerOf(Stamp stamp, const std::string& frame);
 
+/// Colours that differ however many classes there are: hues a golden ratio apart.
+[[nodiscard]] std_msgs::ColorRGBA classColour(int class_id, float opacity);
+
 [[nodiscard]] sensor_msgs::CameraInfo cameraInfo(const std_msgs::Header& header,
                                                  const CameraModel& camera);
 

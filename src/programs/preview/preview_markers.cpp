@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "run/check/moments.h"
 
@@ -90,6 +91,41 @@ std::vector<Eigen::Vector2d> edgeOf(const CameraModel& camera) {
   return points;
 }
 
+/// Of each instance number, the world's, 0, first.
+std::vector<std_msgs::ColorRGBA> coloursOf(const std::vector<SceneObject>& objects) {
+  std::vector<std_msgs::ColorRGBA> colours(1, colourOf(0.6F, 0.6F, 0.6F));
+  for (const SceneObject& object : objects) {
+    const std::size_t instance = object.instance;
+    if (colours.size() <= instance) colours.resize(instance + 1, colours.front());
+    colours[instance] = ros_messages::classColour(object.class_id, 1.0F);
+  }
+  return colours;
+}
+
+std_msgs::ColorRGBA colourOfWorld(const CloudPoint& point) {
+  constexpr float kDarker = 0.6F;
+  std_msgs::ColorRGBA colour = ros_messages::classColour(point.world_class, 1.0F);
+  colour.r *= kDarker;
+  colour.g *= kDarker;
+  colour.b *= kDarker;
+  return colour;
+}
+
+Marker cloudMarker(const std_msgs::Header& header, const Cloud& cloud,
+                   const std::vector<std_msgs::ColorRGBA>& colours) {
+  Marker marker =
+      markerOf(header, "cloud", static_cast<int>(cloud.lidar), Marker::POINTS, kPointSize);
+  for (const CloudPoint& point : cloud.points) {
+    marker.points.push_back(
+        pointOf(cloud.X_GS * Eigen::Vector3d(point.position_at_stamp_S.cast<double>())));
+    const bool is_of_world = point.instance == 0 && point.world_class > 0;
+    marker.colors.push_back(is_of_world
+                                ? colourOfWorld(point)
+                                : colours.at(point.instance < colours.size() ? point.instance : 0));
+  }
+  return marker;
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray labelMarkers(const Scene& scene,
@@ -126,6 +162,17 @@ Marker viewMarker(const Scene& scene, const ros_messages::SceneFrames& frames) {
     has_last = ray_C.has_value();
   }
   return marker;
+}
+
+visualization_msgs::MarkerArray cloudMarkers(const Scene& scene,
+                                             const ros_messages::SceneFrames& frames) {
+  const std_msgs::Header header = ros_messages::headerOf(scene.stamp, frames.globalFrame());
+  const std::vector<std_msgs::ColorRGBA> colours = coloursOf(scene.objects);
+  visualization_msgs::MarkerArray markers;
+  for (const auto& cloud : scene.clouds()) {
+    markers.markers.push_back(cloudMarker(header, *cloud, colours));
+  }
+  return markers;
 }
 
 visualization_msgs::MarkerArray wayMarkers(const run::MotionSetup& motion,

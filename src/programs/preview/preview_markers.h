@@ -21,6 +21,12 @@ namespace synthetic_dataset::programs {
 [[nodiscard]] visualization_msgs::Marker viewMarker(const Scene& scene,
                                                     const ros_messages::SceneFrames& frames);
 
+/// What lidars measure, in the global frame: points of objects in the colours of their boxes,
+/// others darker, by their class of the world, or grey.
+/// @param scene  with clouds
+[[nodiscard]] visualization_msgs::MarkerArray cloudMarkers(const Scene& scene,
+                                                           const ros_messages::SceneFrames& frames);
+
 /// Where the objects of a recording go: a line each. Of placed scenes there are none.
 /// @param stamp  of the messages
 [[nodiscard]] visualization_msgs::MarkerArray wayMarkers(const run::MotionSetup& motion,

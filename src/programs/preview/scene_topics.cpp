@@ -37,6 +37,8 @@ SceneTopics::SceneTopics(ros::NodeHandle& node, const std::string& frame_prefix,
                                                          [this] { return made_.visible_masks; })),
       view_markers_(advertise<visualization_msgs::MarkerArray>("views")),
       ways_(advertise<visualization_msgs::MarkerArray>("ways")),
+      clouds_(advertise<visualization_msgs::MarkerArray>(
+          "clouds", [this] { return made_.clouds || !has_lidars_; })),
       world_(advertise<visualization_msgs::MarkerArray>("world", [this] { return shows_world_; })) {
 }
 
@@ -84,6 +86,10 @@ void SceneTopics::open(const run::RunSetup& setup) {
   }
   views_.assign(names.size(), {});
   ways_.publish(wayMarkers(setup.motions.front(), frames_, now()));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    has_lidars_ = !setup.motions.front().lidars.empty();
+  }
   showWorld(*setup.motions.front().world);
 }
 
@@ -108,6 +114,7 @@ Requirements SceneTopics::takeRequirements() {
     if (isHeard(camera.depth)) needed.depth = true;
   }
   needed.keypoint_states = needed.visible_masks;
+  needed.clouds = has_lidars_ && isHeard(clouds_);
   const std::lock_guard<std::mutex> lock(mutex_);
   made_ = needed;
   return needed;
@@ -134,6 +141,9 @@ void SceneTopics::show(const Scene& scene) {
     camera.depth.publish(ros_messages::depthMessage(header, scene.depth()));
   }
   if (scene.instance_map.isKnown()) showLabels(shown, camera, header);
+  if (scene.clouds.isKnown() && scene.camera_index == 0) {
+    clouds_.publish(cloudMarkers(shown, frames_));
+  }
 }
 
 void SceneTopics::showLabels(const Scene& scene, const Camera& camera,

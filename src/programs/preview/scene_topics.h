@@ -73,11 +73,13 @@ class SceneTopics {
   std::mutex mutex_;
   Requirements made_;  ///< of the scenes
   bool shows_world_ = false;
+  bool has_lidars_ = false;
   std::vector<visualization_msgs::Marker> views_;  ///< of the cameras at the instant
   ros::Publisher transforms_;
   ros::Publisher labels_;
   ros::Publisher view_markers_;
   ros::Publisher ways_;
+  ros::Publisher clouds_;
   ros::Publisher world_;
 };
 
