@@ -17,8 +17,8 @@ PROCESSES = 2
 
 def shape(random) -> str:
     kind = random.choice(['box', 'sphere', 'cylinder', 'ellipsoid', 'capsule', 'plane'])
-    # Round meshes of 20 m, in which others lie, take Bullet seconds a scene, and are made no other way than small ones.
-    largest = 0.5 if kind in ('ellipsoid', 'capsule') else 20.0
+    # Things of 20 m that lie in round meshes take Bullet seconds a scene, and are made no other way than small ones.
+    largest = 20.0 if kind == 'plane' else 2.0
     size = [random.choice([0.05, 0.2, 0.5, 1e-4, largest]) * random.uniform(0.5, 1.5) for _ in range(3)]
     if kind == 'box':
         return f'<box><size>{size[0]} {size[1]} {size[2]}</size></box>'
