@@ -132,7 +132,7 @@ void measureTimes(const Seen& seen, const LinkHistory& link, const RecordedTimes
   frame.known.push_back({from, stamps.back()});
 }
 
-/// When a frame's origin first and last moves against the root.
+/// When a frame's origin first and last moves against the root, and how far.
 void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
                      int steps, RecordedFrame& frame) {
   constexpr double kMoves = 0.002;  // [m]
@@ -140,6 +140,7 @@ void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const Reco
   Stamp stamp_before = times.start;
   frame.moves_from = frame.moves_until = frame.first;
   bool has_moved = false;
+  std::optional<Eigen::Vector3d> counted;  // up to here; what trembles goes no way
   for (int i = 0; i <= steps; ++i) {
     const Stamp stamp = times.start + (times.end - times.start) * i / steps;
     const auto pose = tree.transform(root, id, stamp);
@@ -150,6 +151,11 @@ void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const Reco
       frame.moves_until = stamp;
     }
     before = pose->translation();
+    if (!counted) counted = before;
+    if (const double step = (*before - *counted).norm(); step > kMoves) {
+      frame.way_length += step;
+      counted = before;
+    }
     stamp_before = stamp;
   }
 }

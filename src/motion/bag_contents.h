@@ -28,6 +28,7 @@ struct RecordedFrame {
   Eigen::Vector3d middle_R{0, 0, 0};  ///< of the box that its origin stays in, in the root's
                                       ///< frame [m]
   Eigen::Vector3d extent{0, 0, 0};    ///< of that box [m]
+  double way_length = 0.0;            ///< how far it goes, all turns of its way [m]
   Stamp moves_from{0};                ///< when it leaves its first position; `first`: never
   Stamp moves_until{0};               ///< when it reaches its last one
   double turned = 0.0;  ///< by how much it is turned against its first orientation at most [rad]

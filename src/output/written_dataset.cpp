@@ -176,6 +176,27 @@ WrittenCounts WrittenDataset::counts() const {
   return counts;
 }
 
+std::map<std::int64_t, std::string> WrittenDataset::splitsOfScenes() const {
+  base::SqliteStatement rows(
+      database_, "SELECT \"index\", split FROM scene WHERE state IN ('written', 'complete')");
+  std::map<std::int64_t, std::string> splits;
+  for (rows.start(); rows.step();) splits.emplace(rows.integer(0), rows.text(1));
+  return splits;
+}
+
+void WrittenDataset::forEachLabel(const std::function<void(const WrittenLabel&)>& visit) const {
+  base::SqliteStatement rows(
+      database_,
+      "SELECT scene.\"index\", class.name, visible_pixels, visibility FROM scene JOIN scene_object "
+      "ON scene_object.scene = scene.\"index\" JOIN object ON object.\"index\" = "
+      "scene_object.object JOIN class ON class.id = object.class WHERE state IN ('written', "
+      "'complete') AND NOT dropped AND coalesce(visible_pixels > 0, in_view) ORDER BY 1, "
+      "scene_object.object");
+  for (rows.start(); rows.step();) {
+    visit({rows.integer(0), rows.text(1), countAt(rows, 2), numberAt(rows, 3)});
+  }
+}
+
 bool WrittenDataset::holds(const std::filesystem::path& file) const {
   std::error_code error;
   const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);

@@ -53,6 +53,14 @@ struct WrittenCounts {
   std::map<std::string, std::int64_t> labels;  ///< of each class
 };
 
+/// A label of the dataset: an object that a scene's files have.
+struct WrittenLabel {
+  std::int64_t scene = 0;  ///< Scene::index
+  std::string class_name;
+  std::optional<std::int64_t> visible_pixels;  ///< nothing where they were not counted
+  std::optional<double> visibility;
+};
+
 /// A dataset that a run has written, as its manifest lists it. What grows with the number of scenes
 /// is not held as a whole. All methods throw Error where the manifest cannot be read.
 class WrittenDataset {
@@ -83,6 +91,12 @@ class WrittenDataset {
   [[nodiscard]] WrittenSceneRow scene(std::int64_t index) const;
 
   [[nodiscard]] WrittenCounts counts() const;
+
+  /// The split of each scene that is there, by its index.
+  [[nodiscard]] std::map<std::int64_t, std::string> splitsOfScenes() const;
+
+  /// The labels of all scenes that are there, scene by scene, in their order.
+  void forEachLabel(const std::function<void(const WrittenLabel&)>& visit) const;
 
   /// Whether a file is one of the dataset's, by whichever of its names.
   [[nodiscard]] bool holds(const std::filesystem::path& file) const;

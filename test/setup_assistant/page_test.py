@@ -241,6 +241,21 @@ class Problems(WithPage):
     def link_to(self, pane):
         return next((each for each in self.page.all('#pane .error a') if f'#{pane}:' in each.get_attribute('href')), None)
 
+    def test_name_folders_as_the_file_does_and_lead_to_the_field_wherever_they_are_clicked(self):
+        self.set(['world', 'file'], '$(find synthetic_dataset)/worlds/none.world')
+        self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
+        self.page.go('problems')
+        entry = self.page.wait(lambda: next((each for each in self.page.all('#pane a.entry') if 'none.world' in each.text), None),
+                               'the problem')
+        self.assertIn('$(find synthetic_dataset)/worlds/none.world', entry.text)
+        self.assertNotIn(f'{PACKAGE}/worlds/none.world', self.page.text('#pane'))
+        texts = [each.text for each in self.page.all('#pane .entry')]
+        self.assertEqual(len(texts), len(set(texts)))
+        entry.find_element('css selector', '.what').click()
+        self.page.wait(lambda: self.page.all('body[data-pane="world"]'), 'the world')
+        self.page.wait(lambda: self.page.script('return document.activeElement.closest("[data-path]")?.dataset.path') == 'world/file',
+                       'the field to have the focus')
+
     def problem_at(self, key):
         parts = key.split('/')
         groups = ['/'.join(parts[:length]) for length in range(len(parts), 0, -1)]
@@ -318,6 +333,216 @@ class Picture(WithPage):
             self.page.wait_for_picture()
             moved = self.page.script('return document.querySelector(".labels .box").getAttribute("x")')
             self.assertAlmostEqual(float(moved), float(corner), delta=1.01)
+
+
+class Camera(WithPage):
+
+    def setUp(self):
+        super().setUp()
+        self.page.go('cameras')
+        self.page.wait_for_picture()
+
+    def fix_it(self):
+        self.page.click_and_wait('#pane button', 'Fix it here, to drag it')
+        self.page.wait_for_picture()
+
+    def pose(self):
+        return [[float(each) for each in re.search(name + r': \[([^\]]*)\]', self.page.yaml()).group(1).split(',')]
+                for name in ['position', 'rpy']]
+
+    def test_moves_along_its_view_with_the_first_notch_of_the_wheel(self):
+        self.fix_it()
+        (position, rpy), revision = self.pose(), self.page.revision()
+        self.page.script('''document.querySelector(".picture").dispatchEvent(
+            new WheelEvent("wheel", {deltaY: -100, bubbles: true, cancelable: true}))''')
+        self.page.wait(lambda: self.page.revision() > revision, 'the camera to move')
+        nearer, rpy_after = self.pose()
+        self.assertEqual(rpy_after, rpy)
+        moved = [after - before for after, before in zip(nearer, position)]
+        ahead = [math.cos(rpy[1]) * math.cos(rpy[2]), math.cos(rpy[1]) * math.sin(rpy[2]), -math.sin(rpy[1])]
+        length = math.hypot(*moved)
+        self.assertGreater(length, 0.05)
+        for step, along in zip(moved, ahead):
+            self.assertAlmostEqual(step / length, along, delta=0.02)
+
+    def test_keeps_the_view_that_is_shown_when_it_is_fixed(self):
+        self.page.click_and_wait('#pane .segment', 'Random')
+        self.page.wait_for_picture()
+        boxes = self.boxes()
+        self.page.click_and_wait('#pane .segment', 'Fixed')
+        self.page.wait_for_picture()
+        self.assertEqual(len(self.boxes()), len(boxes))
+        for before, after in zip(boxes, self.boxes()):
+            self.assertAlmostEqual(before, after, delta=1.01)
+
+    def boxes(self):
+        return [float(each) for each in self.page.script(
+            'return [...document.querySelectorAll(".labels .box")].map(each => each.getAttribute("x"))')]
+
+    def test_has_angles_in_degrees_by_choice_and_where_the_file_has(self):
+        self.fix_it()
+        self.assertNotIn('deg(', self.page.yaml())
+        shown = self.yaw()
+        self.page.click_and_wait('[data-path="camera/pose/rpy"] .unit')
+        self.assertRegex(self.page.yaml(), r'rpy: \[.*deg\(')
+        self.page.wait(lambda: self.yaw() != shown, 'degrees')
+        self.assertAlmostEqual(self.yaw(), math.degrees(shown), delta=0.01)
+        # What is typed and what is dragged is written alike.
+        before = self.page.revision()
+        self.page.all('[data-path="camera/pose/rpy"] input')[1].send_keys(Keys.CONTROL, 'a')
+        self.page.all('[data-path="camera/pose/rpy"] input')[1].send_keys('20', Keys.TAB)
+        self.page.wait(lambda: self.page.revision() > before, 'the pitch')
+        self.assertIn('deg(20)', self.page.yaml())
+        before, shown = self.page.revision(), self.yaw()
+        self.page.one('.picture').send_keys(Keys.ARROW_LEFT)
+        self.page.wait(lambda: self.page.revision() > before and self.yaw() != shown, 'the camera to turn')
+        self.assertRegex(self.page.yaml(), r'rpy: \[.*deg\([^)]*\), deg\(')
+        self.page.click_and_wait('[data-path="camera/pose/rpy"] .unit')
+        self.assertNotIn('deg(', self.page.yaml())
+
+    def yaw(self):
+        return float(self.page.all('[data-path="camera/pose/rpy"] input')[2].get_attribute('value'))
+
+    def test_leaves_the_map_where_it_is(self):
+        self.fix_it()
+        before = self.page.one('#pane .map svg').get_attribute('viewBox')
+        revision = self.page.revision()
+        self.page.one('.picture').send_keys(Keys.ARROW_LEFT)
+        self.page.wait(lambda: self.page.revision() > revision, 'the camera to move')
+        self.page.wait_for_picture()
+        self.assertEqual(self.page.one('#pane .map svg').get_attribute('viewBox'), before)
+
+
+class Recording(WithPage):
+
+    def test_says_how_long_ways_are(self):
+        self.page.wait(lambda: self.page.all('.timeline-row.used'), 'the frames')
+        row = next(each.text for each in self.page.all('.timeline-row.used') if 'rover_1' in each.text)
+        # Its box is 6.81 m from corner to corner, and the way bends.
+        self.assertAlmostEqual(float(re.search(r'([\d.]+) m', row).group(1)), 8.66, delta=0.05)
+
+    def test_may_lack_objects_for_a_while(self):
+        self.page.click('#pane summary', 'Gaps, stretches, other topics')
+        self.page.click_and_wait('[data-path="when_unknown"] .segment', 'Scenes without it')
+        self.assertIn('when_unknown: absent', self.page.yaml())
+
+
+class Objects(WithPage):
+
+    def test_are_renamed_wherever_they_are_named(self):
+        text = self.page.yaml().replace('rover_1:\n', 'rover_1:\n  model: "$(find synthetic_dataset)/worlds/models/rover"\n')
+        text = text.replace('camera_frame_id: camera/optical_link', '').replace(
+            'camera:\n', 'camera:\n  pose: {position: [-4, -2.9, 1.35], look_at: rover_1}\n')
+        self.page.type_yaml(text)
+        self.page.wait(lambda: 'look_at: rover_1' in self.file.read_text('utf-8'), 'the model and the camera')
+        self.page.go('objects')
+        name = self.page.wait(lambda: next((each for each in self.page.all('#object-name') if each.is_enabled()), None), 'the name')
+        name.send_keys(Keys.CONTROL, 'a')
+        name.send_keys('husky', Keys.TAB)
+        self.page.wait(lambda: 'look_at: husky' in self.page.yaml(), 'the new name')
+        for line in ['robot_list: [husky, rover_2, drone_1]', '\nhusky:\n', 'frame: rover_1/base_footprint',
+                     '# Its class, which a network learns to recognise: a number or a text.']:
+            self.assertIn(line, self.page.yaml())
+        self.assertNotIn('\nrover_1:', self.page.yaml())
+        self.page.wait(lambda: 'reading' not in self.page.text('#header .verdict'), 'the settings to be read')
+        self.assertNotIn('error', self.page.text('#header .verdict'), self.page.text('#pane'))
+        self.page.click_and_wait('#header button', 'Undo')
+        self.page.wait(lambda: self.page.yaml() == text, 'all of it to be undone')
+
+
+class Help(WithPage):
+
+    LONGEST = 150  # of a setting's help [characters]; formats have theirs from a table
+
+    def test_is_short_and_whole(self):
+        for pane in PANES:
+            self.page.go(pane)
+            self.page.script('document.querySelectorAll("#pane details").forEach(each => { each.open = true; })')
+            with self.subTest(pane=pane):
+                hints = self.page.script('''return [...document.querySelectorAll("#pane .hint")].map(each =>
+                    [each.innerText, each.scrollHeight > each.clientHeight + 1])''')
+                self.assertEqual([text for text, is_cut in hints if is_cut], [])
+                self.assertEqual([text for text, _ in hints if re.search(r'\bsee\b.*\bbelow\b|docs/', text)], [])
+                if pane != 'formats':
+                    self.assertEqual([text for text, _ in hints if len(text) > self.LONGEST], [])
+
+    def test_leads_to_the_documentation(self):
+        self.page.click('[data-path="simulated_rate"] .more')
+        self.page.wait(lambda: 'docs/recordings.md' in self.page.text('#dialog') and
+                       self.page.all('#dialog .document h2'), 'the section')
+        self.assertEqual(self.page.text('#dialog .document h2'), 'Times')
+        self.page.click('#dialog button', 'Close')
+        self.page.wait(lambda: not self.page.all('dialog[open]'), 'the form')
+
+    def test_has_the_sections_that_it_leads_to(self):
+        missing = self.driver.execute_async_script('''const done = arguments[0];
+            Promise.all([import("./page/help.js"), import("./page/doc_dialog.js")]).then(async ([{helpOf, helpedPaths}, {sectionOf}]) => {
+              const missing = [];
+              for (const path of helpedPaths()) {
+                const {document, section} = helpOf(path);
+                const answer = await fetch(`page/${document}.md`);
+                const text = answer.ok ? await answer.text() : "";
+                if (!text || (section && sectionOf(text, section) === text)) missing.push(path);
+              }
+              done(missing);
+            }).catch((error) => done(String(error)));''')
+        self.assertEqual(missing, [])
+
+
+class Phone(WithPage):
+
+    # Of a box or switch, its label takes hits, too; and what is laid around small things.
+    SMALL = '''return [...document.querySelectorAll("button, a, select, summary, input")].filter(each => {
+        const box = each.getBoundingClientRect();
+        if (!box.width || each.disabled || each.matches(".skip")) return false;
+        const labels = ["checkbox", "radio"].includes(each.type) ? [...each.labels] : [];
+        const shown = [box, ...labels.map(label => label.getBoundingClientRect())];
+        const around = ["::before", "::after"].map(name => getComputedStyle(each, name))
+            .filter(style => style.content !== "none" && style.position === "absolute");
+        const size = (name) => Math.max(...shown.map(each => each[name]), ...around.map(each => parseFloat(each[name]) || 0));
+        return size("width") < 43.5 || size("height") < 43.5;
+      }).map(each => each.outerHTML.slice(0, 120))'''
+
+    def setUp(self):
+        super().setUp()
+        self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
+            'width': 390, 'height': 844, 'deviceScaleFactor': 1, 'mobile': True})
+        self.driver.execute_cdp_cmd('Emulation.setTouchEmulationEnabled', {'enabled': True, 'maxTouchPoints': 2})
+
+    def test_is_used_with_fingers(self):
+        for pane in PANES:
+            self.show(pane)
+            self.page.script('document.querySelectorAll("#pane details").forEach(each => { each.open = true; })')
+            with self.subTest(pane=pane):
+                self.assertEqual(self.page.script(self.SMALL), [])
+
+    def show(self, pane):
+        self.page.script('location.hash = arguments[0]', pane)
+        self.page.wait(lambda: self.page.all(f'body[data-pane="{pane}"]'), pane)
+
+    def test_shows_the_step_that_it_is_at(self):
+        for pane in ['result', 'recording', 'problems']:
+            self.show(pane)
+            left, right = self.page.script('''const box = document.querySelector("#nav [aria-current]").getBoundingClientRect();
+                return [box.left, box.right]''')
+            self.assertGreaterEqual(left, 0)
+            self.assertLessEqual(right, 390)
+
+    def test_moves_the_camera_with_two_fingers(self):
+        self.show('cameras')
+        self.page.wait_for_picture()
+        self.page.click_and_wait('#pane button', 'Fix it here, to drag it')
+        self.page.wait_for_picture()
+        self.assertIn('Two fingers', self.page.text('.drag-hint'))
+        before, revision = self.page.yaml(), self.page.revision()
+        self.page.script('document.querySelector(".picture").scrollIntoView({block: "center"})')
+        x, y = self.page.script('''const box = document.querySelector(".picture").getBoundingClientRect();
+            return [box.left + box.width / 2, box.top + box.height / 2]''')
+        for kind, apart in [('touchStart', 20), ('touchMove', 40), ('touchMove', 60)]:
+            self.driver.execute_cdp_cmd('Input.dispatchTouchEvent', {'type': kind, 'touchPoints': [
+                {'x': x - apart, 'y': y, 'id': 0}, {'x': x + apart, 'y': y, 'id': 1}]})
+        self.driver.execute_cdp_cmd('Input.dispatchTouchEvent', {'type': 'touchEnd', 'touchPoints': []})
+        self.page.wait(lambda: self.page.revision() > revision and self.page.yaml() != before, 'the camera to move')
 
 
 class Keypoints(WithPage):

@@ -131,18 +131,79 @@ class WholeWay(unittest.TestCase):
 
     def run_it(self):
         self.step('run', 'run')
+        self.page.wait(lambda: re.search(r'0 of \d+ scenes', self.page.text('.progress-box')), 'how many scenes it will make')
         self.page.click('#pane button', 'Start')
         self.page.wait(lambda: 'done' in self.page.text('.progress-box'), 'the run to be done', timeout=300)
+        self.page.wait(lambda: self.page.script('const log = document.querySelector(".log"); '
+                                                'return log.scrollTop + log.clientHeight >= log.scrollHeight - 4'),
+                       'the end of the log')
         self.page.save(self.screenshots, 'way_done')
 
     def look(self):
-        self.page.click('#pane a.button', 'See the result')
+        self.page.click('#pane a.button', 'Open the result')
         self.page.wait(lambda: len(self.page.all('.scenes img')) >= 8, 'the scenes')
         self.page.wait(lambda: self.page.script('''return [...document.querySelectorAll(".scenes img")].slice(0, 4)
             .every(each => each.complete && each.naturalWidth > 0)'''), 'their pictures')
         self.page.click('#pane button', 'Verify its files')
         self.page.wait(lambda: self.page.all('.verdict-line.fine'), 'the files to be as they should be')
         self.page.save(self.screenshots, 'way_result')
+        self.filter()
+        self.enlarge()
+        self.report()
+
+    def chosen(self):
+        """How many scenes and labels are shown."""
+        return [int(each) for each in re.findall(r'\d+', self.page.text('.chosen'))]
+
+    def choose_of(self, label, value):
+        before = self.page.text('.chosen')
+        self.page.script('''const [label, value] = arguments;
+            const select = [...document.querySelectorAll(".filters label")].find(each => each.innerText.startsWith(label)).querySelector("select");
+            select.value = value; select.dispatchEvent(new Event("change"));''', label, value)
+        self.page.wait(lambda: self.page.text('.chosen') != before, f'{label} {value}')
+
+    def filter(self):
+        scenes, labels = self.chosen()
+        shown = dict(re.findall(r'(rover|drone)\s+(\d+)', self.page.text('.charts')))
+        self.assertEqual(sum(map(int, shown.values())), labels)
+        self.choose_of('Class', 'drone')
+        of_drones = self.chosen()
+        self.assertEqual(of_drones[1], int(shown['drone']))
+        self.assertLessEqual(of_drones[0], scenes)
+        self.choose_of('Split', 'train')
+        self.assertLess(self.chosen()[0], of_drones[0])
+        self.page.wait(lambda: len(self.page.all('.scenes img')) == min(self.chosen()[0], 24), 'the scenes of drones for training')
+        self.page.save(self.screenshots, 'way_result_filtered')
+        self.page.click('.chosen button', 'Show all')
+        self.page.wait(lambda: self.chosen() == [scenes, labels], 'all scenes')
+        self.choose_of('Size', 'small')
+        self.assertLess(self.chosen()[1], labels)
+        self.page.click('.chosen button', 'Show all')
+        self.page.wait(lambda: self.chosen() == [scenes, labels], 'all scenes')
+        self.choose_of('Hidden', 'none')
+        self.assertLess(self.chosen()[1], labels)
+        self.page.click('.chosen button', 'Show all')
+        self.page.wait(lambda: self.chosen() == [scenes, labels], 'all scenes')
+
+    def enlarge(self):
+        self.page.click('.scenes .tile')
+        large = '.enlarged img'
+        self.page.wait(lambda: self.page.script('const large = document.querySelector(".enlarged img"); '
+                                                'return large?.complete && large.naturalWidth === 640'), 'the whole picture')
+        first = self.page.one(large).get_attribute('src')
+        self.page.save(self.screenshots, 'way_result_enlarged')
+        self.page.click('.enlarged button', 'Next scene')
+        self.page.wait(lambda: self.page.one(large).get_attribute('src') != first, 'the next scene')
+        self.page.click('.enlarged button', 'Make it small again')
+        self.page.wait(lambda: not self.page.all(large), 'the small ones')
+
+    def report(self):
+        self.page.click('#pane button', 'Make the report')
+        link = self.page.wait(lambda: next((each for each in self.page.all('#pane a.button') if each.text == 'Open the report'), None),
+                              'the report', timeout=120)
+        self.assertTrue((self.folder / 'dataset' / 'report.html').exists())
+        text = self.page.script('return fetch(arguments[0]).then(answer => answer.text())', link.get_attribute('href'))
+        self.assertIn('<html', text)
 
     def compare_with_generate(self):
         """The file that the page has written makes the same dataset by hand."""

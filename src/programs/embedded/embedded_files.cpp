@@ -15,8 +15,7 @@ std::optional<std::string> EmbeddedFiles::find(const std::string& name) const {
   if (!folder_.empty()) {
     const bool is_name = !name.empty() && name.find('/') == std::string::npos;
     const auto file = std::filesystem::path(folder_) / name;
-    if (!is_name || !std::filesystem::is_regular_file(file)) return std::nullopt;
-    return base::readInput(file);
+    if (is_name && std::filesystem::is_regular_file(file)) return base::readInput(file);
   }
   for (const EmbeddedFile& each : kEmbeddedFiles) {
     if (each.name == name) return std::string(each.content);

@@ -5,11 +5,11 @@
 
 namespace synthetic_dataset::programs {
 
-/// The files that are part of the programs: those of the set-up page, params.yaml and formats.md;
-/// or, for the page's developers, those in a folder.
+/// The files that are part of the programs: those of the set-up page, params.yaml and some of the
+/// documentation; or, for the page's developers, those in a folder instead of the page's.
 class EmbeddedFiles {
  public:
-  /// @param folder  empty: those of the program
+  /// @param folder  empty: those of the program; else what it has comes first
   explicit EmbeddedFiles(std::string folder = "");
 
   /// A file's content by its name; nothing where there is none.

@@ -39,7 +39,7 @@ Assistant::Assistant(const std::string& file, const std::vector<std::string>& fo
                   publish("state", document_.state());
                   live_->refresh();
                 }),
-      result_(document_) {
+      result_(document_, allowed_) {
   live_ = std::make_unique<LiveService>(document_,
                                         [this](const Value& setup) { publish("setup", setup); });
   run_ = std::make_unique<RunService>(
@@ -125,6 +125,8 @@ void Assistant::addRunRoutes() {
   post("/api/run/stop", [this](const Value&) { return run_->stop(); });
   get("/api/result", [this](const HttpRequest& request) { return result_.page(request); });
   post("/api/verify", [this](const Value&) { return result_.verify(); });
+  post("/api/report", [this](const Value&) { return result_.makeReport(); });
+  routes_["GET /api/report"] = [this](const HttpRequest&) { return result_.report(); };
 }
 
 void Assistant::get(const std::string& path,

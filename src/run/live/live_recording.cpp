@@ -25,7 +25,7 @@ Value knownValue(const RecordedFrame& frame, Stamp start) {
 Value frameValue(const RecordedFrame& frame, Stamp start, bool looks_like_robot) {
   Value::Map map = {{"name", frame.name},           {"parent", frame.parents.front()},
                     {"is_static", frame.is_static}, {"known", knownValue(frame, start)},
-                    {"moved", frame.extent.norm()}, {"turned", frame.turned},
+                    {"moved", frame.way_length},    {"turned", frame.turned},
                     {"gaps", frame.gap_count},      {"looks_like_robot", looks_like_robot}};
   if (frame.period.count() > 0) map["rate"] = 1.0 / toSeconds(frame.period);
   return map;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -10,6 +11,7 @@
 
 #include "base/json_text.h"
 #include "base/yaml_text/yaml_rendering.h"
+#include "output/manifest/manifest_schema.h"
 #include "run/generator.h"
 #include "support/temporary_folder.h"
 #include "support/tiny_run.h"
@@ -212,6 +214,41 @@ TEST(Assistant, HasNoPageOfResultsBehindTheLast) {
     const Value::List* scenes = memberOf(result, "scenes").as<Value::List>();
     EXPECT_EQ(page[0] != '-', scenes->empty()) << page;
   }
+}
+
+TEST(Assistant, FindsScenesByTheirLabels) {
+  OpenAssistant open;
+  run::Reporter silent;
+  (void)run::Generator(Value(open.run.parameters()), silent).run();
+  const auto numberOf = [](const Value& result) {
+    return *memberOf(memberOf(result, "chosen"), "scene_count").as<std::int64_t>();
+  };
+  const Value all = open.get("/api/result");
+  EXPECT_EQ(*memberOf(all, "scene_count").as<std::int64_t>(), numberOf(all));
+  const Value classes = memberOf(memberOf(all, "chosen"), "classes");
+  ASSERT_FALSE(classes.as<Value::Map>()->empty());
+  const std::string name = classes.as<Value::Map>()->begin()->first;
+  const Value of_class = open.get("/api/result", {{"class", name}});
+  EXPECT_GT(numberOf(of_class), 0);
+  EXPECT_EQ(1U, memberOf(memberOf(of_class, "chosen"), "classes").as<Value::Map>()->size());
+  const Value none = open.get("/api/result", {{"class", "no such class"}});
+  EXPECT_EQ(0, numberOf(none));
+  EXPECT_TRUE(memberOf(none, "scenes").as<Value::List>()->empty());
+  EXPECT_EQ(numberOf(all), *memberOf(none, "scene_count").as<std::int64_t>());
+}
+
+TEST(Assistant, ShowsAReportThatIsThere) {
+  OpenAssistant open;
+  run::Reporter silent;
+  (void)run::Generator(Value(open.run.parameters()), silent).run();
+  EXPECT_EQ(404, statusOf(open, "GET", "/api/report"));
+  EXPECT_TRUE(memberOf(open.get("/api/result"), "report").isNull());
+  const std::string folder = *memberOf(open.get("/api/result"), "folder").as<std::string>();
+  std::ofstream(output::reportFile(folder)) << "<p>The report</p>";
+  EXPECT_FALSE(memberOf(open.get("/api/result"), "report").isNull());
+  const HttpResponse report = open.fetch("/api/report");
+  EXPECT_EQ("<p>The report</p>", report.body);
+  EXPECT_EQ(0U, report.headers.at("Content-Security-Policy").find("sandbox;"));
 }
 
 TEST(Assistant, SaysWhatItDoesNotHave) {

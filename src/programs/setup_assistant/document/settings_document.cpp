@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "base/input_file.h"
+#include "base/yaml_value.h"
 #include "output/files/pending_file.h"
+#include "programs/setup_assistant/document/filled_gaps.h"
 #include "programs/setup_assistant/document/settings_names.h"
 #include "programs/setup_assistant/web/http_message.h"
 #include "synthetic_dataset/errors.h"
@@ -61,6 +63,7 @@ void SettingsDocument::change(std::int64_t revision, const std::vector<base::Yam
   for (base::YamlChange each : changes) {
     each.path = pathAsWritten(each.path, base::readYamlText(text, fileNameOf(file_)));
     text = base::editYaml(text, fileNameOf(file_), {each}, documentedOrder);
+    if (each.value) text = withoutGap(text, fileNameOf(file_), each.path);
   }
   if (text == text_) return;
   record(step);
@@ -141,8 +144,10 @@ void SettingsDocument::show(const std::string& text) {
   text_ = text;
   ++revision_;
   try {
-    const Value tree = base::readYamlText(text, fileNameOf(file_));
-    settings_ = asGroups(tree, fileNameOf(file_));
+    const std::string origin = fileNameOf(file_);
+    const Value tree =
+        withAnglesAsWritten(base::readYamlText(text, origin), base::parseYaml(text, origin));
+    settings_ = asGroups(tree, origin);
     fault_.reset();
   } catch (const Error& error) {
     fault_ = faultOf(error.what());

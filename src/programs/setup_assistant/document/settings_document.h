@@ -35,6 +35,7 @@ class SettingsDocument {
   [[nodiscard]] const std::optional<std::string>& outside() const { return outside_; }
 
   /// What the text says, without substitutions and included files; the last time that it was YAML.
+  /// An angle is the text that it is written as: "deg(20)".
   [[nodiscard]] const Value& settings() const { return settings_; }
 
   /// Changes values, all of them or none. Paths may name `yolo/main_list` as `main_list` in `yolo`.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "base/yaml_text/yaml_rendering.h"
 #include "config/settings_file.h"
 #include "programs/settings/documented_settings.h"
 #include "synthetic_dataset/errors.h"
@@ -64,6 +65,27 @@ Value asGroups(const Value& tree, const std::string& origin) {
   } catch (const Error&) {
     return tree;
   }
+}
+
+Value withAnglesAsWritten(const Value& tree, const Value& written) {
+  const auto* text = written.as<std::string>();
+  if (text != nullptr && base::isAngleText(*text)) return written;
+  Value result = tree;
+  if (auto* map = result.as<Value::Map>()) {
+    const auto* other = written.as<Value::Map>();
+    for (auto& [name, value] : *map) {
+      const auto found = other == nullptr ? Value::Map::const_iterator() : other->find(name);
+      if (other == nullptr || found == other->end()) continue;
+      value = withAnglesAsWritten(value, found->second);
+    }
+  } else if (auto* list = result.as<Value::List>()) {
+    const auto* other = written.as<Value::List>();
+    if (other == nullptr || other->size() != list->size()) return result;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      (*list)[i] = withAnglesAsWritten((*list)[i], (*other)[i]);
+    }
+  }
+  return result;
 }
 
 std::vector<std::string> documentedOrder(const base::YamlPath& group) {

@@ -17,6 +17,11 @@ namespace synthetic_dataset::programs {
 /// @param origin  for messages, which nobody gets here
 [[nodiscard]] Value asGroups(const Value& tree, const std::string& origin);
 
+/// A file's tree in which angles are the texts that they are written as: "deg(20)".
+/// @param tree  with numbers for them
+/// @param written  the same text, read without what settings mean by texts
+[[nodiscard]] Value withAnglesAsWritten(const Value& tree, const Value& written);
+
 /// The names in a group of settings in the order of config/params.yaml.
 [[nodiscard]] std::vector<std::string> documentedOrder(const base::YamlPath& group);
 

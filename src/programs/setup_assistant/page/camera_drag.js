@@ -1,11 +1,13 @@
-// Moves the camera by hand: drag orbits, with Shift or the right button pans, the wheel zooms; keys do the same.
-import {cameraPath, orbitOfSettings, poseOfOrbit, wayOf} from './camera_pose.js';
+// Moves the camera by hand: drag orbits, with Shift or the right button pans, the wheel zooms; on a touch screen two
+// fingers pan and zoom; keys do the same.
+import {cameraPath, formOf, orbitOfSettings, poseOfOrbit, wayOf} from './camera_pose.js';
 import {orbited, panned, zoomed} from './pose_math.js';
 import {scene} from './scene_loader.js';
-import {changed, effective, set} from './store.js';
+import {changed, effective, objectNames, set} from './store.js';
 import {view} from './view_state.js';
 
 const RADIANS_A_PICTURE = 2.5;
+const WHEEL_PAUSE = 400;  // [ms] without an event, after which a turn of the wheel is over
 
 const hand = {
   orbit: null,
@@ -14,16 +16,20 @@ const hand = {
   count: 0,
   isSending: false,
   isWaiting: false,
-  last: null,
+  isOver: false,
+  pointers: new Map(),  // where those that are down were last
   end: 0
 };
 
 export function dragHint() {
   if (view.pane !== 'cameras' || !['pose', 'mounted_on'].includes(wayOf(cameraPath()))) return null;
-  return 'Drag: orbit. Shift and drag: pan. Wheel: zoom. Arrow keys, + and \u2212 do the same.';
+  return matchMedia('(pointer: coarse)').matches ?
+      'One finger: orbit. Two fingers: pan and zoom.' :
+      'Drag: orbit. Shift and drag: pan. Wheel: zoom. Arrow keys, + and \u2212 do the same.';
 }
 
 function begin() {
+  hand.isOver = false;
   if (hand.orbit) return;
   const path = cameraPath();
   hand.before = effective([...path, 'pose']) ?? {};
@@ -32,24 +38,26 @@ function begin() {
   ++hand.count;
 }
 
+// What was sent last has to be in the settings before they say where the next move begins.
 function end() {
+  hand.isOver = true;
+  if (hand.isSending) return;
   hand.orbit = null;
   changed();
 }
 
 // As fast as the server takes them; the last one always.
 async function send() {
-  if (hand.isSending) {
-    hand.isWaiting = true;
-    return;
-  }
+  hand.isWaiting = true;
+  if (hand.isSending) return;
   hand.isSending = true;
-  do {
+  while (hand.isWaiting) {
     hand.isWaiting = false;
     const path = [...cameraPath(), 'pose'];
     await set(path, poseOfOrbit(hand.orbit, hand.before, hand.isPanned), `camera-${hand.count}`);
-  } while (hand.isWaiting && hand.orbit);
+  }
   hand.isSending = false;
+  if (hand.isOver) end();
 }
 
 function move(change, isPan = false) {
@@ -59,48 +67,72 @@ function move(change, isPan = false) {
   send();
 }
 
+function pan(right, down, width) {
+  const {width: pixels = 640, intrinsics: [fx] = [640]} = scene.value?.camera ?? {};
+  move((orbit) => {
+    const metres = orbit.length * pixels / fx / width;
+    return panned(orbit, right * metres, down * metres);
+  }, true);
+}
+
+function orbit(right, down, width) {
+  const angle = RADIANS_A_PICTURE / width;
+  move((each) => orbited(each, right * angle, down * angle));
+}
+
+// A camera that looks at an object cannot go past it.
+function zoom(factor) {
+  begin();
+  const isHeld = formOf(hand.before) === 'object' && objectNames().includes(String(hand.before.look_at));
+  move((each) => zoomed(each, factor, isHeld));
+}
+
 function onpointerdown(event) {
   event.currentTarget.setPointerCapture(event.pointerId);
   event.currentTarget.focus();
   begin();
-  hand.last = [event.clientX, event.clientY];
+  hand.pointers.set(event.pointerId, [event.clientX, event.clientY]);
   event.preventDefault();
 }
 
 function onpointermove(event) {
-  if (!hand.last) return;
+  const last = hand.pointers.get(event.pointerId);
+  if (!last) return;
   const width = event.currentTarget.clientWidth;
-  const [right, down] = [event.clientX - hand.last[0], event.clientY - hand.last[1]];
+  const now = [event.clientX, event.clientY];
+  const [right, down] = [now[0] - last[0], now[1] - last[1]];
   if (!right && !down) return;
-  hand.last = [event.clientX, event.clientY];
-  if (event.shiftKey || event.buttons & 6) {
-    const {width: pixels = 640, intrinsics: [fx] = [640]} = scene.value?.camera ?? {};
-    move((orbit) => {
-      const metres = orbit.length * pixels / fx / width;
-      return panned(orbit, right * metres, down * metres);
-    }, true);
+  hand.pointers.set(event.pointerId, now);
+  const others = [...hand.pointers].filter(([id]) => id !== event.pointerId);
+  if (others.length) {
+    const [, still] = others[0];
+    const apart = (point) => Math.max(Math.hypot(point[0] - still[0], point[1] - still[1]), 1);
+    pan(right / 2, down / 2, width);  // by the fingers' middle
+    zoom(apart(last) / apart(now));
+  } else if (event.shiftKey || event.buttons & 6) {
+    pan(right, down, width);
   } else {
-    const angle = RADIANS_A_PICTURE / width;
-    move((orbit) => orbited(orbit, right * angle, down * angle));
+    orbit(right, down, width);
   }
 }
 
-function onpointerup() {
-  hand.last = null;
-  end();
+function onpointerup(event) {
+  hand.pointers.delete(event.pointerId);
+  if (!hand.pointers.size) end();
 }
 
 // A turn of the wheel is many events, and one step of undo.
 function endSoon() {
   clearTimeout(hand.end);
   hand.end = setTimeout(() => {
-    if (!hand.last) end();
-  }, 400);
+    if (!hand.pointers.size) end();
+  }, WHEEL_PAUSE);
 }
 
 function onwheel(event) {
   event.preventDefault();
-  move((orbit) => zoomed(orbit, Math.exp(Math.sign(event.deltaY) * 0.08)));
+  if (!event.deltaY) return;
+  zoom(Math.exp(Math.sign(event.deltaY) * 0.08));
   endSoon();
 }
 
@@ -113,16 +145,16 @@ const KEYS = {
 
 function onkeydown(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const zoom = {'+': 1 / 1.08, '=': 1 / 1.08, '-': 1.08}[event.key];
+  const factor = {'+': 1 / 1.08, '=': 1 / 1.08, '-': 1.08}[event.key];
   const direction = KEYS[event.key];
-  if (!zoom && !direction) return;
+  if (!factor && !direction) return;
   event.preventDefault();
-  if (zoom)
-    move((orbit) => zoomed(orbit, zoom));
+  if (factor)
+    zoom(factor);
   else if (event.shiftKey)
-    move((orbit) => panned(orbit, direction[0] * orbit.length * 0.03, direction[1] * orbit.length * 0.03), true);
+    move((each) => panned(each, direction[0] * each.length * 0.03, direction[1] * each.length * 0.03), true);
   else
-    move((orbit) => orbited(orbit, direction[0] * 0.05, direction[1] * 0.05));
+    move((each) => orbited(each, direction[0] * 0.05, direction[1] * 0.05));
   endSoon();
 }
 

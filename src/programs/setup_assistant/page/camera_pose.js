@@ -1,4 +1,5 @@
 // The camera's pose in the settings: which form it has, and how an orbit is written back in that form.
+import {convertedAngles, inDegrees, radiansOf} from './angles.js';
 import {rounded} from './fields.js';
 import {add, bodyOfOptical, distance, forward, inFrame, matrixOfQuaternion, matrixOfRpy, opticalOfBody, orbitOf, positionOf, quaternionOfMatrix, rpyOfMatrix,} from './pose_math.js';
 import {scene} from './scene_loader.js';
@@ -33,11 +34,8 @@ export function formOf(pose) {
   return 'rpy';
 }
 
-// Angles in settings may be text, deg(20).
 function numberOf(value) {
-  if (typeof value === 'number') return value;
-  const degrees = /^deg\((.*)\)$/.exec(String(value ?? '').trim());
-  const number = degrees ? Number(degrees[1]) * Math.PI / 180 : Number(value);
+  const number = radiansOf(value) ?? Number(value);
   return Number.isFinite(number) ? number : 0;
 }
 
@@ -45,30 +43,36 @@ const numbers = (list, count) => Array.from({length: count}, (unused, index) => 
 
 // The pose of the picture that is shown, in the frame in which the settings give it, as position and rpy.
 export function shownPose(path) {
-  const pose = scene.value?.camera?.pose;
-  if (!pose) return null;
-  const parent = parentPose(path);
-  let body = bodyOfOptical(matrixOfQuaternion(pose.slice(3)));
-  let position = pose.slice(0, 3);
-  if (parent) {
-    const rows = matrixOfQuaternion(parent.slice(3));
-    const turned =
-        [0, 1, 2].map((row) => [0, 1, 2].map((at) => rows.reduce((sum, each, k) => sum + each[row] * body[k][at], 0)));
-    body = turned;
-    position = inFrame(parent, position);
-  }
-  return {position, rpy: rpyOfMatrix(body)};
+  return poseOn(path, wayOf(path) === 'mounted_on' ? String(effective([...path, 'mounted_on'])) : null);
 }
 
-// The pose of the object that it is mounted on, in the scene that is shown.
-function parentPose(path) {
-  if (wayOf(path) !== 'mounted_on') return null;
-  const name = String(effective([...path, 'mounted_on']));
+// The same in the global frame, or in that of an object (`carrier`); null where it is not known.
+export function poseOn(path, carrier = null) {
+  const {camera} = scene.value ?? {};
+  if (!camera?.pose || (path[0] === 'cameras' && camera.name !== path[1])) return null;
+  const body = bodyOfOptical(matrixOfQuaternion(camera.pose.slice(3)));
+  const position = camera.pose.slice(0, 3);
+  if (carrier === null) return {position, rpy: rpyOfMatrix(body)};
+  const parent = poseOfObject(carrier);
+  if (!parent) return null;
+  const rows = matrixOfQuaternion(parent.slice(3));
+  const turned =
+      [0, 1, 2].map((row) => [0, 1, 2].map((at) => rows.reduce((sum, each, k) => sum + each[row] * body[k][at], 0)));
+  return {position: inFrame(parent, position), rpy: rpyOfMatrix(turned)};
+}
+
+// In the scene that is shown.
+function poseOfObject(name) {
   return scene.value?.labels?.objects?.find((each) => each.name === name)?.pose ?? null;
 }
 
-export function roundedPose({position, rpy}) {
-  return {position: position.map((each) => rounded(each, 3)), rpy: rpy.map((each) => rounded(each, 4))};
+// As it is written; angles in the unit of the pose that was there before.
+export function roundedPose({position, rpy}, before = undefined) {
+  const angles = rpy.map((each) => rounded(each, 4));
+  return {
+    position: position.map((each) => rounded(each, 3)),
+    rpy: inDegrees(before?.rpy) ? convertedAngles(rpy, true) : angles
+  };
 }
 
 // Around what the camera is dragged: what it looks at, else what is in the picture's middle.
@@ -109,13 +113,13 @@ function lengthAhead(path, position, rpy) {
   if (inMiddle.length) return Math.min(...inMiddle.map((each) => each.distance));
   // Else the ground, if it looks down on it.
   const ahead = forward(rpy);
-  const toGround = parentPose(path) ? Infinity : -position[2] / ahead[2];
+  const toGround = wayOf(path) === 'mounted_on' ? Infinity : -position[2] / ahead[2];
   return toGround > 0.2 && toGround < 20 ? toGround : 4;
 }
 
 // `isPanned`: it no longer looks at the object that it looked at.
 export function poseOfOrbit(orbit, before, isPanned = false) {
-  const {position, rpy} = roundedPose({position: positionOf(orbit), rpy: orbit.rpy});
+  const {position, rpy} = roundedPose({position: positionOf(orbit), rpy: orbit.rpy}, before);
   const form = formOf(before);
   if (form === 'optical') {
     const quaternion = quaternionOfMatrix(opticalOfBody(matrixOfRpy(orbit.rpy)));

@@ -1,6 +1,7 @@
 // The editor of a distribution: what is drawn for each scene (docs/randomize.md).
+import {DEGREES, inDegrees, shownAngles, writtenAngles} from './angles.js';
 import {h} from './dom.js';
-import {idOf, problemList, rounded, unitOf} from './fields.js';
+import {idOf, isAngle, problemList, rounded, unitOf} from './fields.js';
 import {parseFlow, printFlow} from './flow.js';
 import {keyOf} from './paths.js';
 import {problemsBelow} from './problems.js';
@@ -22,9 +23,9 @@ function kindOf(value) {
 // options: label, range: [low, high] of the sliders where it is not all that may be, start: what it is when turned on,
 // isColour, isAlways: it cannot be off, and is `start` by default.
 export function distribution(path, given) {
-  const options = {range: parameter(path)?.range, ...given};
+  const options = inShownUnit(path, {range: parameter(path)?.range, ...given});
   const id = idOf(path);
-  const value = effective(path) ?? (options.isAlways ? options.start : undefined);
+  const value = options.shown(effective(path)) ?? (options.isAlways ? options.start : undefined);
   const kind = kindOf(value);
   const problems = problemsBelow(path);
   const text = parameter(path)?.text ?? '';
@@ -45,19 +46,35 @@ export function distribution(path, given) {
             id,
             disabled: options.isAlways && own(path) === undefined,
             title: options.isAlways ? 'Off: the default' : null,
-            onchange: (event) => set(path, event.target.checked ? options.start : undefined),
+            onchange: (event) => options.put(event.target.checked ? options.start : undefined),
           }),
-          h('span', {id: `${id}-label`}, options.label, unitOf(path, options))),
+          h('span', {id: `${id}-label`}, options.label, isAngle(path, options) ? null : unitOf(path, options))),
+        isAngle(path, options) ? unitOf(path, options) : null,
         h('select', {
           'aria-label': `${options.label}: kind`,
           disabled: kind === 'off',
           value: kind,
-          onchange: (event) => set(path, converted(value, event.target.value, options)),
+          onchange: (event) => options.put(converted(value, event.target.value, options)),
         },
           KINDS.filter(([each]) => (each === 'off') === (kind === 'off'))
               .map(([each, label]) => h('option', {value: each}, label)))),
       kind === 'off' ? null : h('div', {class: 'distribution-body'}, body(path, kind, value, options)),
       problemList(problems));
+}
+
+// With `shown`, of a value in the settings, and `put`, which writes one; range and start as they are shown.
+function inShownUnit(path, options) {
+  if (!isAngle(path, options)) {
+    return {...options, shown: (value) => value, put: (value, how) => set(path, value, how)};
+  }
+  const isInDegrees = inDegrees(effective(path));
+  return {
+    ...options,
+    range: options.range.map((each) => (isInDegrees ? rounded(each * DEGREES, 0) : each)),
+    start: shownAngles(options.start, isInDegrees),
+    shown: (value) => shownAngles(value, isInDegrees),
+    put: (value, how) => set(path, writtenAngles(value, isInDegrees), how),
+  };
 }
 
 function body(path, kind, value, options) {
@@ -84,7 +101,7 @@ function text(path, value, options) {
     onchange: (event) => {
       try {
         event.target.setCustomValidity('');
-        set(path, parseFlow(event.target.value));
+        options.put(parseFlow(event.target.value));
       } catch (error) {
         event.target.setCustomValidity(error.message);
         event.target.reportValidity();
@@ -134,7 +151,7 @@ function numberBox(label, value, onchange) {
 function twoSliders(path, kind, [low, high], options) {
   const digits = precision(options.range);
   const put = (pair, how) =>
-      set(path, {[kind]: pair.map((each) => (typeof each === 'number' ? rounded(each, digits) : each))}, how);
+      options.put({[kind]: pair.map((each) => (typeof each === 'number' ? rounded(each, digits) : each))}, how);
   const floor = kind === 'log_uniform' ? 0.001 : -Infinity;
   const part = (each) => (each - options.range[0]) / (options.range[1] - options.range[0]);
   return h(
@@ -154,14 +171,14 @@ function oneSlider(path, value, options) {
       'div', {class: 'low-high one'},
       range(
           `${options.label}, slider`, value, options.range,
-          (each) => set(path, rounded(each, precision(options.range)), step(path))),
-      numberBox(options.label, value, (each) => set(path, each)));
+          (each) => options.put(rounded(each, precision(options.range)), step(path))),
+      numberBox(options.label, value, (each) => options.put(each)));
 }
 
 function meanAndSpread(path, value, options) {
   const [mean, spread] = value.normal;
   const put = (pair, how) =>
-      set(path, {...value, normal: pair.map((each) => rounded(each, precision(options.range)))}, how);
+      options.put({...value, normal: pair.map((each) => rounded(each, precision(options.range)))}, how);
   const widest = (options.range[1] - options.range[0]) / 2;
   return h(
       'div', {class: 'normal'},
@@ -191,7 +208,7 @@ function colours(path, kind, list, options) {
   const put = (index, colour, how) => {
     const next = list.map((each, at) => (at === index ? colour : each));
     // Each channel is between the two.
-    set(path, kind === 'fixed' ? next[0] : {uniform: orderedChannels(next)}, how);
+    options.put(kind === 'fixed' ? next[0] : {uniform: orderedChannels(next)}, how);
   };
   return h(
       'div', {class: 'colours'},

@@ -1,10 +1,13 @@
 // A field is a setting: its name, its control, what the documentation says of it, and what is wrong with it.
+import {chooseUnit, convertedAngles, DEGREES, inDegrees, shownAngles, writtenAngles} from './angles.js';
+import {showDocument} from './doc_dialog.js';
 import {h} from './dom.js';
 import {browse} from './file_dialog.js';
 import {parseFlow, parseScalar, printFlow} from './flow.js';
-import {keyOf} from './paths.js';
+import {helpOf} from './help.js';
+import {isEqual, keyOf} from './paths.js';
 import {identity, problemsBelow, sentence} from './problems.js';
-import {effective, own, parameter, set, sourceOf} from './store.js';
+import {documentedPath, effective, own, parameter, set, sourceOf} from './store.js';
 
 const SOURCES = {
   here: 'set in this file',
@@ -16,8 +19,31 @@ export function idOf(path) {
   return `field-${keyOf(path).replace(/[^\w-]/g, '_')}`;
 }
 
+// {text, document, section} for whoever fills in the field; without a document, there is no more to read.
 function descriptionOf(path, options) {
-  return options.hint ?? (parameter(path)?.text ?? '').replace(/^REQUIRED[^.]*\.\s*/, '');
+  if (options.hint !== undefined) return {text: options.hint.replace(/\[([^\]]+)\]\([^)]+\)/g, '$1')};
+  return helpOf(documentedPath(path).join('/')) ?? {text: firstSentence(parameter(path)?.text ?? '')};
+}
+
+// Of config/params.yaml's text, which is written for whoever reads the file.
+function firstSentence(text) {
+  const plain = text.replace(/^REQUIRED[^.]*\.\s*/, '').replace(/\s*\(docs\/[^)]*\)/g, '');
+  return /^(.*?[.;:])(?:\s|$)/.exec(plain)?.[1].replace(/[;:]$/, '.') ?? plain;
+}
+
+function hint(path, options, id) {
+  const {text, document, section} = descriptionOf(path, options);
+  const label = `More about ${options.label ?? path.at(-1)}`;
+  return h(
+      'p', {class: 'hint', id}, withCode(text),
+      document ?
+          [
+            ' ',
+            h('button',
+              {type: 'button', class: 'link more', 'aria-label': label, onclick: () => showDocument(document, section)},
+              'More')
+          ] :
+          null);
 }
 
 // `a name` in the documentation is code.
@@ -26,13 +52,39 @@ function withCode(text) {
 }
 
 function defaultOf(path, options) {
-  const value = options.fallback ?? parameter(path)?.default;
+  const default_value = options.fallback ?? parameter(path)?.default;
+  const value = isAngle(path, options) ? shownAngles(default_value, inDegrees(effective(path))) : default_value;
   return typeof value === 'string' ? value : printFlow(value);
 }
 
+function unitNameOf(path, options) {
+  return options.unit ?? parameter(path)?.unit;
+}
+
+export function isAngle(path, options) {
+  return unitNameOf(path, options) === 'rad';
+}
+
+// Of an angle, a button that changes from radians to degrees, and the value in the file with it.
 export function unitOf(path, options) {
-  const unit = options.unit ?? parameter(path)?.unit;
-  return unit ? h('span', {class: 'unit'}, ` [${unit}]`) : null;
+  const unit = unitNameOf(path, options);
+  if (!isAngle(path, options)) return unit ? h('span', {class: 'unit'}, ` [${unit}]`) : null;
+  const isInDegrees = inDegrees(effective(path));
+  const here = own(path);
+  const change = () => {
+    chooseUnit(!isInDegrees);
+    const converted = convertedAngles(here, !isInDegrees);
+    if (here !== undefined && !isEqual(converted, here)) set(path, converted);
+  };
+  return h(
+      'button', {
+        type: 'button',
+        class: 'unit quiet',
+        title: isInDegrees ? 'Show and write radians' : 'Show and write degrees',
+        'aria-label': `${options.label ?? path.at(-1)} in ${isInDegrees ? 'radians' : 'degrees'}`,
+        onclick: change,
+      },
+      isInDegrees ? '[deg]' : '[rad]');
 }
 
 function noteOf(path, source) {
@@ -45,7 +97,6 @@ function field(path, options, control) {
   const id = idOf(path);
   const problems = problemsBelow(path);
   const source = sourceOf(path);
-  const text = descriptionOf(path, options);
   const props = {
     id,
     'aria-describedby': `${id}-hint ${id}-problems`,
@@ -63,16 +114,11 @@ function field(path, options, control) {
       },
       h('div', {class: 'field-head'},
         h(isGroup ? 'span' : 'label', {class: 'field-label', id: `${id}-label`, 'for': isGroup ? null : id},
-          options.label ?? String(path.at(-1)), unitOf(path, options)),
+          options.label ?? String(path.at(-1)), isAngle(path, options) ? null : unitOf(path, options)),
+        isAngle(path, options) ? unitOf(path, options) : null,
         h('span', {class: 'source', title: SOURCES[source]}, noteOf(path, source)), resetButton(path, options)),
-      h('div', {class: 'control'}, control(props)),
-      h('p', {class: 'hint', id: `${id}-hint`, title: text.length > 150 ? text : null, onclick: unfold},
-        withCode(text)),
+      h('div', {class: 'control'}, control(props)), hint(path, options, `${id}-hint`),
       problemList(problems, `${id}-problems`));
-}
-
-function unfold(event) {
-  event.currentTarget.classList.toggle('unfolded');
 }
 
 function resetButton(path, options) {
@@ -140,7 +186,11 @@ function valueOfText(text) {
 
 // options.slider: with a slider over the whole range.
 export function numberField(path, options = {}) {
+  const isInDegrees = isAngle(path, options) && inDegrees(effective(path));
+  const scale = isInDegrees ? DEGREES : 1;
+  const put = (value, step) => set(path, isInDegrees ? writtenAngles(value, true) : value, step);
   return field(path, options, (props) => {
+    const value = effective(path);
     const input = h('input', {
       ...props,
       type: 'text',
@@ -149,23 +199,23 @@ export function numberField(path, options = {}) {
       spellcheck: 'false',
       autocomplete: 'off',
       placeholder: defaultOf(path, options),
-      value: printFlow(effective(path)),
-      onchange: (event) => setFromText(path, event.target.value),
-      onkeydown: (event) => stepByKey(event, path, options.step ?? 1),
+      value: printFlow(isAngle(path, options) ? shownAngles(value, isInDegrees) : value),
+      onchange: ({target}) => put(target.value.trim() === '' ? undefined : valueOfText(target.value)),
+      onkeydown: (event) => stepByKey(event, path, isInDegrees ? 1 : options.step ?? 1, put),
     });
     const range = options.range ?? (options.slider ? parameter(path)?.range : null);
-    return range ? [input, slider(path, {...options, range})] : input;
+    return range ? [input, slider(path, {...options, range}, scale, put)] : input;
   });
 }
 
 // Arrow keys change a number as in a spin box.
-function stepByKey(event, path, step) {
+function stepByKey(event, path, step, put) {
   const sign = {ArrowUp: 1, ArrowDown: -1}[event.key];
   const value = parseScalar(event.target.value || event.target.placeholder);
   if (!sign || typeof value !== 'number') return;
   event.preventDefault();
   event.target.isEdited = false;
-  set(path, rounded(value + sign * step * (event.shiftKey ? 10 : 1)), `keys-${keyOf(path)}`);
+  put(rounded(value + sign * step * (event.shiftKey ? 10 : 1)), `keys-${keyOf(path)}`);
 }
 
 export function rounded(value, digits = 6) {
@@ -174,19 +224,21 @@ export function rounded(value, digits = 6) {
 
 let drags = 0;
 
-function slider(path, {range: [low, high], step, label, fallback}) {
+// `scale`: from the setting's unit to the one that is shown.
+function slider(path, {range: [low, high], step, label, fallback}, scale, put) {
   const value = effective(path) ?? parameter(path)?.default ?? fallback;
+  const shown = scale === 1 ? value : shownAngles(value, true);
   return h('input', {
     type: 'range',
-    min: low,
-    max: high,
-    step: step ?? 'any',
+    min: low * scale,
+    max: high * scale,
+    step: scale === 1 ? step ?? 'any' : 'any',
     'aria-label': `${label ?? path.at(-1)}, slider`,
-    value: typeof value === 'number' ? value : low,
+    value: typeof shown === 'number' ? shown : low * scale,
     onpointerdown: () => {
       ++drags;
     },
-    oninput: (event) => set(path, Number(event.target.value), `slider-${keyOf(path)}-${drags}`),
+    oninput: (event) => put(Number(event.target.value), `slider-${keyOf(path)}-${drags}`),
   });
 }
 
@@ -235,42 +287,42 @@ export function switchField(path, options = {}) {
 export function vectorField(path, names, options = {}) {
   const values = effective(path) ?? options.value;
   const list = Array.isArray(values) ? values : [];
+  const isInDegrees = isAngle(path, options) && inDegrees(values);
+  const shown = isAngle(path, options) ? shownAngles(list, isInDegrees) : list;
+  const put = (index, text, step) => {
+    const typed = writtenAngles(parseScalar(text || '0'), isInDegrees);
+    const all = names.map((name, at) => (at === index ? typed : list[at] ?? 0));
+    set(path, isInDegrees ? convertedAngles(all, true) : all, step && `${step}-${keyOf(path)}-${index}`);
+  };
   return field(
       path, {...options, isGroup: true},
       (props) =>
           h('div', {class: 'vector', id: props.id},
-            names.map(
-                (name, index) =>
-                    h('label', {class: 'component'}, h('span', {}, name), h('input', {
-                        type: 'text',
-                        inputmode: 'decimal',
-                        class: 'number',
-                        value: printFlow(roundedForEyes(list[index])),
-                        'aria-describedby': props['aria-describedby'],
-                        autocomplete: 'off',
-                        placeholder: '0',
-                        onchange: (event) => setComponent(path, names, list, index, event.target.value),
-                        onkeydown: (event) => stepComponent(event, path, names, list, index, options.step ?? 0.1),
-                      })))));
+            names.map((name, index) => h('label', {class: 'component'}, h('span', {}, name), h('input', {
+                                           type: 'text',
+                                           inputmode: 'decimal',
+                                           class: 'number',
+                                           value: printFlow(roundedForEyes(shown[index])),
+                                           'aria-describedby': props['aria-describedby'],
+                                           autocomplete: 'off',
+                                           placeholder: '0',
+                                           onchange: (event) => put(index, event.target.value),
+                                           onkeydown: (event) =>
+                                               stepComponent(event, index, isInDegrees ? 1 : options.step ?? 0.1, put),
+                                         })))));
 }
 
 function roundedForEyes(value) {
   return typeof value === 'number' ? rounded(value, 4) : value;
 }
 
-function stepComponent(event, path, names, list, index, step) {
+function stepComponent(event, index, step, put) {
   const sign = {ArrowUp: 1, ArrowDown: -1}[event.key];
   const value = parseScalar(event.target.value || '0');
   if (!sign || typeof value !== 'number') return;
   event.preventDefault();
   event.target.isEdited = false;
-  setComponent(path, names, list, index, String(rounded(value + sign * step * (event.shiftKey ? 10 : 1))), 'keys');
-}
-
-function setComponent(path, names, list, index, text, step) {
-  const values = names.map((name, each) => list[each] ?? 0);
-  values[index] = parseScalar(text || '0');
-  set(path, values, step && `${step}-${keyOf(path)}-${index}`);
+  put(index, String(rounded(value + sign * step * (event.shiftKey ? 10 : 1))), 'keys');
 }
 
 // Any value, as YAML in one line.

@@ -6,7 +6,7 @@ import {scene} from './scene_loader.js';
 
 // `ways`: {name: [[x, y], ...]}; `boxes`: [{low, high, label}].
 export function map({picture, extent, ways = {}, boxes = [], label}) {
-  const view = around(extent, Object.values(ways).flat(), boxes);
+  const view = viewOf(label, extent, Object.values(ways).flat(), boxes);
   if (!view) return h('p', {class: 'empty'}, 'Nothing to draw yet.');
   const [x0, y0, x1, y1] = view;
   const size = Math.max(x1 - x0, y1 - y0);
@@ -43,22 +43,55 @@ export function map({picture, extent, ways = {}, boxes = [], label}) {
         h('span', {class: 'scale'}, `${(x1 - x0).toFixed(1)} \u00d7 ${(y1 - y0).toFixed(1)} m`)));
 }
 
-// The ground of a world may be a hundred times as large as what happens on it.
-const MUCH_LARGER = 8;
+const LEAST = 4;  // [m] that a map shows
+const MARGIN = 0.15;
 
-function around(extent, points, boxes) {
-  const all = [...points, ...boxes.flatMap((each) => [each.low, each.high])];
-  if (!all.length) return extent ?? null;
-  const [xs, ys] = [all.map((each) => each[0]), all.map((each) => each[1])];
-  const within = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-  const long = Math.max(longSide(within), 1);
-  if (extent && longSide(extent) < MUCH_LARGER * long) return extent;
-  const margin = (extent ? 0.5 : 0.1) * long;
-  return [within[0] - margin, within[1] - margin, within[2] + margin, within[3] + margin];
+const MUCH_LARGER = 3;
+
+const kept = new Map();  // what maps show, by their labels
+
+// What happens, with a margin; where nothing does, all that the picture shows. What was shown before stays while it
+// still fits, so that the map stands still under a camera that moves.
+function viewOf(label, extent, points, boxes) {
+  const happens = [...points, ...boxes.flatMap((each) => [each.low, each.high])];
+  if (!happens.length && extent) return extent;
+  const all = [...happens, ...cameraPoints()];
+  if (!all.length) return null;
+  const wanted = within(all);
+  const wide = withMargin(wanted);
+  const before = kept.get(label);
+  if (before && holds(before, wanted) && longSide(before) < MUCH_LARGER * longSide(wide)) return before;
+  kept.set(label, wide);
+  return wide;
+}
+
+function cameraPoints() {
+  const pose = scene.value?.camera?.pose;
+  return pose ? [pose.slice(0, 2)] : [];
+}
+
+function within(points) {
+  const [xs, ys] = [points.map((each) => each[0]), points.map((each) => each[1])];
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
 function longSide([x0, y0, x1, y1]) {
   return Math.max(x1 - x0, y1 - y0);
+}
+
+function holds([x0, y0, x1, y1], [low_x, low_y, high_x, high_y]) {
+  return x0 <= low_x && y0 <= low_y && high_x <= x1 && high_y <= y1;
+}
+
+function withMargin([x0, y0, x1, y1]) {
+  const margin = MARGIN * Math.max(longSide([x0, y0, x1, y1]), LEAST);
+  const around = (low, high) => {
+    const more = Math.max(margin, (LEAST - (high - low)) / 2);
+    return [low - more, high + more];
+  };
+  const [left, right] = around(x0, x1);
+  const [bottom, top] = around(y0, y1);
+  return [left, bottom, right, top];
 }
 
 function way(name, points, index, size) {

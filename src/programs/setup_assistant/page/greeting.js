@@ -21,8 +21,7 @@ export function greeting() {
   return h(
       'div', {class: 'greeting'},
       h('section', {class: 'group'}, h('h2', {}, 'Start from a recording'),
-        h('p', {class: 'hint unfolded'},
-          'Choose what you have. Everything else is filled in, and can be changed afterwards.'),
+        h('p', {class: 'hint'}, 'Choose what you have. Everything else is filled in, and can be changed afterwards.'),
         row('Recording', 'a bag of ROS 1 or ROS 2', chosen.bags, () => add('bag', 'recording', chosen.bags),
             remover(chosen.bags)),
         row('World', 'an SDF world; without one, a plain ground and the sun', chosen.world ? [chosen.world] : [],
@@ -48,8 +47,7 @@ export function greeting() {
           },
             'Step by step instead'))),
       h('section', {class: 'group'}, h('h2', {}, 'Without a recording'),
-        h('p', {class: 'hint unfolded'},
-          'Objects are placed at random: on the ground of a world, on a map, or in the air.'),
+        h('p', {class: 'hint'}, 'Objects are placed at random: on the ground of a world, on a map, or in the air.'),
         h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: place}, 'Place objects at random'))));
 }
 

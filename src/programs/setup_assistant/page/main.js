@@ -92,8 +92,16 @@ function drawBanners() {
   ]);
 }
 
+let stepInView = null;
+
 function drawNav() {
-  patch(document.getElementById('nav'), [h('ul', {}, panes.map((pane) => h('li', {key: pane.id}, navLink(pane))))]);
+  const nav = document.getElementById('nav');
+  patch(nav, [h('ul', {}, panes.map((pane) => h('li', {key: pane.id}, navLink(pane))))]);
+  if (stepInView === view.pane) return;
+  stepInView = view.pane;
+  // Only the steps move: on a telephone, the page itself may stand anywhere.
+  const step = nav.querySelector('[aria-current]');
+  nav.scrollLeft = step.offsetLeft - (nav.clientWidth - step.offsetWidth) / 2;
 }
 
 function navLink(pane) {
@@ -158,10 +166,7 @@ function readAddress() {
   if (!pane) return;
   const isOther = pane.id !== view.pane;
   show({pane: pane.id});
-  if (isOther) {
-    document.getElementById('pane').scrollTop = 0;
-    document.querySelector('#nav [aria-current]')?.scrollIntoView({block: 'nearest', inline: 'center'});
-  }
+  if (isOther) document.getElementById('pane').scrollTop = 0;
   if (rest.length) requestAnimationFrame(() => focusField(rest.join(':')));
 }
 

@@ -1,4 +1,4 @@
-import {cameraPath, formOf, framePath, orbitOfSettings, roundedPose, shownPose, wayOf} from './camera_pose.js';
+import {cameraPath, formOf, framePath, orbitOfSettings, poseOn, roundedPose, shownPose, wayOf} from './camera_pose.js';
 import {distribution} from './distribution.js';
 import {h} from './dom.js';
 import {choiceField, fileField, flowField, more, numberField, problemList, section, segments, switchField, textField, vectorField} from './fields.js';
@@ -141,7 +141,7 @@ const WAYS = [
 function place(path) {
   const way = wayOf(path);
   return [
-    choice('way', 'Its pose', WAYS, way, (wanted) => changeWay(path, way, wanted)),
+    choice('way', 'Its pose', WAYS, way, (wanted) => changeWay(path, wanted)),
     way === 'frame' ? followed(path) : null,
     way === 'mounted_on' ? choiceField([...path, 'mounted_on'], objectNames(), {label: 'Object'}) : null,
     way === 'pose' || way === 'mounted_on' ? pose(path) : null,
@@ -151,17 +151,15 @@ function place(path) {
   ];
 }
 
-function changeWay(path, before, wanted) {
+function changeWay(path, wanted) {
   const changes = ['sample', 'mounted_on', 'pose']
                       .filter((each) => each !== wanted && effective([...path, each]) !== undefined)
                       .map((each) => [[...path, each], undefined]);
-  const here = shownPose(path);
-  if (wanted === 'pose')
-    changes.push([
-      [...path, 'pose'],
-      before === 'mounted_on' || !here ? {position: [-3, 0, 2], look_at: objectNames()[0] ?? [0, 0, 0]} :
-                                         roundedPose(here)
-    ]);
+  if (wanted === 'pose') {  // the view that is shown stays
+    const here = poseOn(path);
+    changes.push(
+        [[...path, 'pose'], here ? roundedPose(here) : {position: [-3, 0, 2], look_at: objectNames()[0] ?? [0, 0, 0]}]);
+  }
   if (wanted === 'mounted_on') {
     changes.push(
         [[...path, 'mounted_on'], objectNames()[0] ?? ''],
@@ -187,8 +185,7 @@ function followed(path) {
         framePath(path),
         {label: 'Frame of the lens (z ahead, x right, y down)', suggestions: lenses.length ? lenses : frames()}),
     h('p', {class: 'buttons'},
-      h('button', {type: 'button', disabled: !here, onclick: () => changeWay(path, 'frame', 'pose')},
-        'Fix it here, to drag it'),
+      h('button', {type: 'button', disabled: !here, onclick: () => changeWay(path, 'pose')}, 'Fix it here, to drag it'),
       h('span', {class: 'muted'}, here ? `at ${here.position.map((each) => fixed(each)).join(', ')} m` : '')),
   ];
 }
@@ -220,7 +217,7 @@ function pose(path) {
         null,
     form === 'rpy' ? vectorField([...where, 'rpy'], ['roll', 'pitch', 'yaw'], {
       label: 'Turned by',
-      unit: 'rad, or deg(20)',
+      unit: 'rad',
       step: 0.05,
       hint: 'With zeros it looks along x; a positive pitch looks down.'
     }) :
@@ -230,7 +227,7 @@ function pose(path) {
 
 function converted(path, value, wanted) {
   const here = shownPose(path) ?? {position: [-3, 0, 2], rpy: [0, 0.4, 0]};
-  const {position, rpy} = roundedPose(here);
+  const {position, rpy} = roundedPose(here, value);
   const at = value?.position ?? position;
   if (wanted === 'object') return {position: at, look_at: objectNames()[0] ?? [0, 0, 0]};
   if (wanted === 'point')

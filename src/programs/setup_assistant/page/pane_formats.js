@@ -26,7 +26,7 @@ function draw() {
   return [
     h('div', {class: 'field', 'data-path': 'writers'}, problemList(problemsAt(['writers']))),
     writers().length === 0 ?
-        h('p', {class: 'hint unfolded'}, 'No list of formats is set: bounding_shape, yolo and stvnet are written.') :
+        h('p', {class: 'hint'}, 'No list of formats is set: bounding_shape, yolo and stvnet are written.') :
         null,
     h('ul', {class: 'formats'},
       [

@@ -5,7 +5,8 @@ import {freeName} from './paths.js';
 import {modelOf, portrait} from './portrait.js';
 import {count as countOf, problemsAt, problemsBelow} from './problems.js';
 import {candidates, frames} from './recording.js';
-import {answer, change, changed, effective, objectNames, own, set} from './store.js';
+import {rename, whyNamed, whyNot} from './rename.js';
+import {answer, change, changed, effective, objectNames, own, parameter, set} from './store.js';
 import {show, view} from './view_state.js';
 
 export const objectsPane = {
@@ -134,7 +135,7 @@ function object(name) {
   const known = modelOf(name);
   return [
     h('div', {class: 'object-top'}, portrait(name),
-      h('div', {class: 'field', 'data-path': name}, problemList(problemsAt([name])),
+      h('div', {class: 'field', 'data-path': name}, problemList(problemsAt([name])), nameField(name),
         h('div', {class: 'pair'}, textField([name, 'class'], {label: 'Class', suggestions: classNames()}),
           textField([name, 'id'], {label: 'Id'})),
         isPlaced ?
@@ -155,14 +156,43 @@ function object(name) {
     h('section', {class: 'group'}, h('h2', {}, 'Bounding shape'), shape(name, known)),
     more(
         'Links, parts, names of keypoints',
-        ['link_frames', 'parts', 'keypoint_names', 'skeleton', 'model_arguments'].map((each) => [name, each]),
+        ['link_frames', 'parts', 'keypoint_names', 'skeleton', 'model_arguments', 'when_unknown'].map(
+            (each) => [name, each]),
         flowField([name, 'keypoint_names'], {label: 'Names of the keypoints'}),
         flowField([name, 'skeleton'], {label: 'Lines between keypoints'}),
         flowField([name, 'link_frames'], {label: 'TF frames of its links'}),
         flowField([name, 'parts'], {label: 'Parts with labels of their own'}),
-        flowField([name, 'model_arguments'], {label: 'Arguments of a xacro file'})),
+        flowField([name, 'model_arguments'], {label: 'Arguments of a xacro file'}),
+        isPlaced || effective([name, 'pose']) !== undefined ?
+            null :
+            choiceField([name, 'when_unknown'], [['skip_scene', 'No scenes'], ['absent', 'Scenes without it']], {
+              label: 'While its frame is not known',
+              fallback: effective(['when_unknown']) ?? parameter(['when_unknown'])?.default
+            })),
     h('p', {}, h('button', {type: 'button', class: 'danger', onclick: () => removeObject(name)}, `Remove ${name}`)),
   ];
+}
+
+function nameField(name) {
+  const why = whyNamed(name);
+  const onchange = ({target}) => {
+    const wanted = target.value.trim();
+    const problem = wanted === name ? null : whyNot(wanted, name);
+    target.setCustomValidity(problem ?? '');
+    if (problem) {
+      target.reportValidity();
+      target.isEdited = true;  // what was typed stays, to be mended
+    } else if (wanted !== name) {
+      rename(name, wanted).then(() => show({object: wanted}));
+    }
+  };
+  return h(
+      'div', {class: 'field', key: 'name'},
+      h('div', {class: 'field-head'}, h('label', {class: 'field-label', 'for': 'object-name'}, 'Name')),
+      h('div', {class: 'control'},
+        h('input',
+          {type: 'text', id: 'object-name', value: name, disabled: why !== null, spellcheck: 'false', onchange})),
+      h('p', {class: 'hint'}, why ?? ''));
 }
 
 function size({low, high}) {
@@ -188,7 +218,7 @@ function keypoints(name) {
   const names = effective([name, 'keypoint_names']) ?? [];
   return [
     h('div', {class: 'field', 'data-path': path.join('/')},
-      h('p', {class: 'hint unfolded'},
+      h('p', {class: 'hint'},
         'Turn on \u201cPick\u201d beside the model and click on it to add a point, or let points be chosen on its surface.'),
       problemList(problemsAt(path)),
       h('div', {class: 'points'},

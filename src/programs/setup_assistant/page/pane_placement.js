@@ -31,9 +31,13 @@ function draw() {
     section(
         'Where',
         choiceField(
-            ['placement', 'mode'], [['map', 'On a map'], ['volume', 'In a box'], ['drop', 'Dropped']],
+            ['placement', 'mode'],
+            [['ground', 'On the ground'], ['map', 'On a map'], ['volume', 'In a box'], ['drop', 'Dropped']],
             {label: 'Objects are put'}),
-        mode === 'map' ? onMap() : inBox(mode), from(mode)),
+        mode === 'map'        ? onMap() :
+            mode === 'ground' ? onGround() :
+                                inBox(mode),
+        from(mode)),
     more(
         'How hard it is tried', [['placement', 'tries']],
         numberField(['placement', 'tries'], {label: 'Positions tried for each object', step: 100})),
@@ -47,13 +51,33 @@ function onMap() {
     textField(['placement', 'map_topic'], {label: 'or a topic', hint: 'Of type nav_msgs/OccupancyGrid, of the bags.'}),
     choiceField(
         ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']], {label: 'They stand'}),
-    surface === 'none' ?
-        numberField(['placement', 'height'], {label: 'Height', range: [0, 5], step: 0.1}) :
+    surface === 'none' ? numberField(['placement', 'height'], {label: 'Height', range: [0, 5], step: 0.1}) : standing(),
+  ];
+}
+
+function onGround() {
+  const area = effective(['placement', 'area']);
+  return [
+    area === undefined ?
+        h('p', {class: 'buttons'}, h('span', {class: 'muted'}, 'All of the ground.'),
+          h('button', {type: 'button', onclick: () => set(['placement', 'area'], {min: [-5, -5], max: [5, 5]})},
+            'Set a rectangle')) :
         [
-          numberField(['placement', 'highest_surface'], {label: 'Not on what is higher', range: [0, 5], step: 0.1}),
-          numberField(['placement', 'steepest'], {label: 'Steepest surface', slider: true, step: 0.05}),
-          numberField(['placement', 'unevenness'], {label: 'Unevenness', range: [0, 0.5], step: 0.01}),
+          h('div', {class: 'pair'},
+            vectorField(['placement', 'area', 'min'], ['x', 'y'], {label: 'From', unit: 'm', step: 0.1, hint: ''}),
+            vectorField(['placement', 'area', 'max'], ['x', 'y'], {label: 'to', unit: 'm', step: 0.1, hint: ''})),
+          h('p', {class: 'buttons'},
+            h('button', {type: 'button', onclick: () => set(['placement', 'area'], undefined)}, 'All of the ground')),
         ],
+    ...standing(),
+  ];
+}
+
+function standing() {
+  return [
+    numberField(['placement', 'highest_surface'], {label: 'Not on what is higher', range: [0, 5], step: 0.1}),
+    numberField(['placement', 'steepest'], {label: 'Steepest surface', range: [0, 1.5], step: 0.05}),
+    numberField(['placement', 'unevenness'], {label: 'Unevenness', range: [0, 0.5], step: 0.01}),
   ];
 }
 
@@ -84,7 +108,9 @@ function from(mode) {
   const world = answer('api/world').value;
   const occupancy = mode === 'map' ? answer('api/placement').value : null;
   const volume = effective(['placement', 'volume']);
-  const boxes = mode !== 'map' && volume?.min && volume?.max ? [{low: volume.min, high: volume.max}] : [];
+  const area = effective(['placement', 'area']);
+  const box = mode === 'ground' ? area : mode === 'map' ? undefined : volume;
+  const boxes = box?.min && box?.max ? [{low: box.min, high: box.max}] : [];
   return map({
     picture: occupancy?.picture ?? world?.map,
     extent: occupancy?.extent ?? world?.map_extent,

@@ -2,7 +2,7 @@ import {checkButton} from './check_button.js';
 import {h} from './dom.js';
 import {count} from './numbers.js';
 import {keyOf} from './paths.js';
-import {allProblems, sentence, SEVERITIES} from './problems.js';
+import {allProblems, identity, inGroups, sentence, SEVERITIES} from './problems.js';
 import {store} from './store.js';
 import {goToLine} from './yaml_editor.js';
 
@@ -22,10 +22,11 @@ function draw() {
     h('p', {class: 'buttons'}, checkButton({class: 'primary'}),
       h('span', {class: 'muted'}, 'Makes scenes all over the run and looks for what is odd about them.')),
     error ? h('ul', {class: 'problems all'},
-              h('li', {class: 'error'}, h('span', {class: 'severity'}, 'error'), ' ',
-                h('button', {type: 'button', class: 'link', onclick: () => goToLine(error.line ?? 1)},
-                  `The text is no YAML: line ${error.line}`),
-                ` ${error.message}`)) :
+              h('li', {class: 'error'},
+                h('div', {class: 'entry'},
+                  h('button', {type: 'button', class: 'link', onclick: () => goToLine(error.line ?? 1)},
+                    `The text is no YAML: line ${error.line}`),
+                  ` ${error.message}`))) :
             null,
     h('div', {}, SEVERITIES.map((severity) => list(severity, problems.filter((each) => each.severity === severity)))),
     problems.length || error ? null : h('p', {class: 'empty'}, 'Nothing is wrong.'),
@@ -36,18 +37,29 @@ function list(severity, problems) {
   if (!problems.length) return null;
   return h(
       'section', {class: 'group', key: severity}, h('h2', {}, count(problems.length, severity)),
-      h('ul', {class: 'problems all'},
-        problems.map(
-            (each) =>
-                h('li', {class: severity}, h('span', {class: 'about'}, link(each)),
-                  h('span', {class: 'what'}, sentence(each)),
-                  each.cure ? h('span', {class: 'cure'}, each.cure) : null))));
+      h('ul', {class: 'problems all'}, inGroups(problems).map((group) => entry(severity, group))));
 }
 
-function link(problem) {
-  const pane = problem.path && paneWith(problem.path);
-  if (!pane) return problem.about ?? '';
-  return h('a', {href: `#${pane.id}:${encodeURIComponent(keyOf(problem.path))}`}, problem.about || keyOf(problem.path));
+// What is wrong with one setting leads there wherever it is clicked.
+function entry(severity, group) {
+  const [first] = group;
+  const address = group.length === 1 ? addressOf(first) : null;
+  return h(
+      'li', {key: identity(first), class: severity, 'data-problem': identity(first)},
+      h(address ? 'a' : 'div', {class: 'entry', href: address},
+        h('span', {class: 'about'}, group.map((each, index) => [index ? ', ' : '', name(each, !address)])),
+        h('span', {class: 'what'}, sentence(first)), first.cure ? h('span', {class: 'cure'}, first.cure) : null));
+}
+
+function name(problem, isLink) {
+  const text = problem.about || keyOf(problem.path ?? []);
+  const address = isLink && addressOf(problem);
+  return address ? h('a', {href: address}, text) : text;
+}
+
+function addressOf({path}) {
+  const pane = path && paneWith(path);
+  return pane ? `#${pane.id}:${encodeURIComponent(keyOf(path))}` : null;
 }
 
 // panes.js imports this file, so it says who has a setting.

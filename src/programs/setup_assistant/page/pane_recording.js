@@ -8,9 +8,11 @@ import {waysOfObjects} from './recording.js';
 import {answer, effective} from './store.js';
 
 const PATHS = [
-  'bag_file', 'simulated_rate', 'start_offset', 'duration', 'max_tf_gap', 'stretch', 'tf_topics', 'pose_topics',
-  'global_frame', 'motions'
+  'bag_file', 'simulated_rate', 'start_offset', 'duration', 'when_unknown', 'max_tf_gap', 'stretch', 'tf_topics',
+  'pose_topics', 'global_frame', 'motions'
 ];
+
+const WHEN_UNKNOWN = [['skip_scene', 'No scenes'], ['absent', 'Scenes without it']];
 
 export const recordingPane = {
   id: 'recording',
@@ -50,7 +52,9 @@ function draw() {
               {label: 'Used after that', range: length ? [0.1, length] : null, step: 0.1, fallback: 'all'})),
         textField(['global_frame'], {label: 'Frame of the world', suggestions: [...roots, ...frames]})),
     more(
-        'Gaps, stretches, other topics', [['max_tf_gap'], ['stretch'], ['tf_topics'], ['pose_topics']],
+        'Gaps, stretches, other topics',
+        [['when_unknown'], ['max_tf_gap'], ['stretch'], ['tf_topics'], ['pose_topics']],
+        choiceField(['when_unknown'], WHEN_UNKNOWN, {label: 'While an object\u2019s frame is not known'}),
         numberField(['max_tf_gap'], {label: 'Longest gap in TF', step: 0.1, fallback: 'by frame'}),
         numberField(['stretch'], {label: 'Stretch', fallback: 'the longest'}),
         flowField(['tf_topics'], {label: 'Topics with TF', fallback: ['/tf', '/tf_static']}),
@@ -87,7 +91,7 @@ function severalMotions() {
   if (!Array.isArray(motions)) return null;
   return section(
       'Several motions',
-      h('p', {class: 'hint unfolded'},
+      h('p', {class: 'hint'},
         'This file makes one dataset of several motions. The panes show what they share; what a motion has of its own is changed in the text of the file.'),
       h('ul', {class: 'chips'}, motions.map((each) => h('li', {}, String(each?.name ?? '?')))));
 }

@@ -17,9 +17,16 @@ export const runPane = {
   draw,
 };
 
+// How many scenes are done and how many there will be. Until the run says so, as many as it was planned with.
+function counts() {
+  const {run, setup} = store;
+  if (run.scenes) return {done: run.scenes_done ?? 0, all: run.scenes};
+  return {done: setup?.earlier?.scenes ?? 0, all: setup?.figures?.scenes ?? 0};
+}
+
 function percent() {
-  const {scenes_done: done = 0, scenes = 0} = store.run ?? {};
-  return scenes ? Math.floor(100 * done / scenes) : 0;
+  const {done, all} = counts();
+  return all ? Math.floor(100 * done / all) : 0;
 }
 
 // The folder whose dataset the user was asked about: may it be removed?
@@ -34,25 +41,32 @@ function ask(folder) {
 
 // The log follows its end, unless the user looks further up.
 let followsEnd = true;
+let lastTop = 0;
 
-function noteEnd(event) {
-  const log = event.target;
-  followsEnd = log.scrollTop + log.clientHeight >= log.scrollHeight - 4;
+// Lines that come between a scroll and its event are none that the user has left behind.
+function noteEnd({target: log}) {
+  const isAtEnd = log.scrollTop + log.clientHeight >= log.scrollHeight - 4;
+  followsEnd = isAtEnd || (followsEnd && log.scrollTop >= lastTop);
+  lastTop = log.scrollTop;
 }
 
 watch(() => requestAnimationFrame(() => {
         const log = document.querySelector('.log');
-        if (log && followsEnd) log.scrollTop = log.scrollHeight;
+        if (!log || !followsEnd) return;
+        log.scrollTop = log.scrollHeight;
+        lastTop = log.scrollTop;
       }));
 
 function draw() {
   const {run, state} = store;
+  const {done, all} = counts();
   return [
     ...controls(),
     h('div', {class: 'progress-box', role: 'status'},
-      h('progress', {max: run.scenes || 1, value: run.scenes_done ?? 0, 'aria-label': 'Scenes done'}),
-      h('p', {class: 'facts'}, progress(run))),
-    h('ul', {class: 'problems all'}, (run.errors ?? []).map((each) => h('li', {class: 'error'}, String(each)))),
+      h('progress', {max: all || 1, value: done, 'aria-label': 'Scenes done'}), h('p', {class: 'facts'}, progress(run)),
+      resultLink()),
+    h('ul', {class: 'problems all'},
+      (run.errors ?? []).map((each) => h('li', {class: 'error'}, h('div', {class: 'entry'}, String(each))))),
     h('section', {class: 'group'}, h('h2', {}, 'Log'),
       h('pre', {class: 'log', tabindex: '0', 'aria-label': 'Log', onscroll: noteEnd},
         (run.log ?? []).join('\n') || ' ')),
@@ -83,7 +97,7 @@ function controls() {
   if (isRefused) return inTheWay(earlier);
   if (earlier?.complete) {
     return [row(
-        'made', h('a', {href: '#result', class: 'button primary'}, 'See the result'),
+        'made', h('a', {href: '#result', class: 'button primary'}, 'Open the result'),
         h('button', {type: 'button', onclick: () => ask(folder())}, 'Make it anew\u2026'),
         h('span', {class: 'muted'}, `Made: ${grouped(earlier.scenes)} scenes in `, h('code', {}, folder())))];
   }
@@ -135,10 +149,19 @@ function planned(setup) {
   return `${grouped(scenes)} scenes${Number.isFinite(seconds) ? `, about ${duration(seconds)}` : ''}`;
 }
 
+// To what is there of a dataset that is not complete; to a complete one, the buttons above lead.
+function resultLink() {
+  return counts().done && !store.setup.earlier?.complete ?
+      h('p', {}, h('a', {href: '#result'}, 'Open the result so far')) :
+      null;
+}
+
 function progress(run) {
-  if (run.state === 'idle') return 'Not started.';
+  const {done, all} = counts();
+  const made = `${grouped(done)} of ${count(all, 'scene')}`;
+  if (run.state === 'idle') return all ? `Not started: ${made}.` : 'Not started.';
   if (run.stopping) return 'Stops behind the scene that it makes\u2026';
-  const parts = [`${grouped(run.scenes_done ?? 0)} of ${grouped(run.scenes ?? 0)} scenes`];
+  const parts = [made];
   if (run.state === 'running') {
     if (run.rate) parts.push(`${fixed(run.rate, 1)} a second`);
     if (Number.isFinite(run.seconds_left)) parts.push(`${duration(run.seconds_left)} left`);

@@ -36,7 +36,8 @@ findPanesBy(paneOf);
 export function focusField(key) {
   const path = key.split('/');
   for (let length = path.length; length > 0; --length) {
-    const found = document.querySelector(`#pane [data-path="${CSS.escape(keyOf(path.slice(0, length)))}"]`);
+    const name = CSS.escape(keyOf(path.slice(0, length)));
+    const found = document.querySelector(`#pane [data-path="${name}"], #pane [data-path^="${name}/"]`);
     if (!found) continue;
     for (let details = found.closest('details'); details; details = details.parentElement.closest('details'))
       details.open = true;

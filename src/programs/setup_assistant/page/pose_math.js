@@ -107,6 +107,13 @@ export function panned({centre, rpy, length}, right, down) {
   return {centre: shifted, rpy, length};
 }
 
-export function zoomed({centre, rpy, length}, factor) {
-  return {centre, rpy, length: Math.max(0.05, length * factor)};
+const NEAREST = 0.3;  // [m] to the centre
+
+// Moves along the view by a share of the distance to the centre. Near it, the centre goes ahead, so that each step
+// moves; `isHeld`: it stays, and the camera with it.
+export function zoomed({centre, rpy, length}, factor, isHeld = false) {
+  if (isHeld) return {centre, rpy, length: Math.max(NEAREST, length * factor)};
+  const left = length - Math.max(length, NEAREST) * (1 - factor);
+  if (left >= NEAREST || factor >= 1) return {centre, rpy, length: left};
+  return {centre: add(centre, forward(rpy), NEAREST - left), rpy, length: NEAREST};
 }

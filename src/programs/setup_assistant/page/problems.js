@@ -1,12 +1,42 @@
 // Where a problem of the settings is shown.
+import {foldersAsWritten, withFoldersAsWritten} from './folder_names.js';
 import {keyOf, startsWith} from './paths.js';
 import {isEmpty, store} from './store.js';
 
 export const SEVERITIES = ['error', 'warning', 'note'];
 
+const shown = {
+  setup: null,
+  state: null,
+  problems: []
+};
+
+// The worst first, each once, with folders as the file names them.
 export function allProblems() {
-  const problems = isEmpty() ? [] : [...(store.setup?.problems ?? [])];
-  return problems.sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity));
+  if (isEmpty()) return [];
+  const {setup, state} = store;
+  if (shown.setup === setup && shown.state === state) return shown.problems;
+  const folders = foldersAsWritten(state?.settings, state?.effective);
+  const byIdentity = new Map();
+  for (const each of setup?.problems ?? []) {
+    const [about, found, cure] = [each.about, each.found, each.cure].map((text) => withFoldersAsWritten(text, folders));
+    const problem = {...each, about, found, cure};
+    if (!byIdentity.has(identity(problem))) byIdentity.set(identity(problem), problem);
+  }
+  const problems =
+      [...byIdentity.values()].sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity));
+  Object.assign(shown, {setup, state, problems});
+  return problems;
+}
+
+// Those that say the same of several settings, together.
+export function inGroups(problems) {
+  const groups = new Map();
+  for (const each of problems) {
+    const key = JSON.stringify([each.severity, sentence(each), each.cure]);
+    groups.set(key, [...(groups.get(key) ?? []), each]);
+  }
+  return [...groups.values()];
 }
 
 export function problemsAt(path) {

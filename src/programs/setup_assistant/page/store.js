@@ -207,7 +207,7 @@ export function parameter(path) {
   return store.parameters.get(documentedPath(path).join('/'));
 }
 
-function documentedPath(path) {
+export function documentedPath(path) {
   const [first, second, ...rest] = path.map(String);
   if (first === 'cameras' && second !== undefined) return ['camera', ...rest];
   if (first === 'motions' && second !== undefined) return documentedPath(rest);

@@ -9,6 +9,7 @@ export const view = {
   object: null,
   shown: {boxes: true, masks: false, keypoints: true, cuboids: false, names: true},
   layer: 'picture',  // or depth, instances
+  angles: 'rad',     // or deg: in which what says neither is shown
   isYamlOpen: true,
 };
 

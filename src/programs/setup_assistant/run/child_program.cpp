@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <system_error>
 
 #include "synthetic_dataset/errors.h"
@@ -43,6 +44,14 @@ int exitCodeOf(int status) {
 }
 
 }  // namespace
+
+std::string programBesideThis(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path program = self.parent_path() / name;
+  if (std::filesystem::exists(program, error)) return program.string();
+  throw Error("'" + program.string() + "': no such program");
+}
 
 ChildProgram::ChildProgram(const std::vector<std::string>& command) {
   std::vector<char*> words;

@@ -8,6 +8,9 @@
 
 namespace synthetic_dataset::programs {
 
+/// The file of one of this package's programs. @throws Error when it is not there
+[[nodiscard]] std::string programBesideThis(const std::string& name);
+
 /// A program that runs beside this one and is asked to stop when this one dies, however it does:
 /// by SIGINT, after which `generate` finishes its scene and can go on another time.
 ///

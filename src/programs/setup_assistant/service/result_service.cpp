@@ -4,16 +4,20 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
 
+#include "base/input_file.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/verify/dataset_verifier.h"
 #include "output/written_dataset.h"
 #include "plugins/readback/format.h"
 #include "programs/drawing/label_sheets.h"
 #include "programs/setup_assistant/live/picture_cache.h"
+#include "programs/setup_assistant/run/child_program.h"
+#include "programs/setup_assistant/service/label_filter.h"
 #include "programs/setup_assistant/service/request_body.h"
 #include "programs/setup_assistant/service/run_service.h"
 #include "synthetic_dataset/errors.h"
@@ -28,6 +32,14 @@ Value countsValue(const std::map<std::string, std::int64_t>& counts) {
   Value::Map map;
   for (const auto& [name, count] : counts) map[name] = count;
   return map;
+}
+
+Value chosenValue(const ChosenScenes& chosen) {
+  return Value::Map{{"scene_count", static_cast<std::int64_t>(chosen.scenes.size())},
+                    {"splits", countsValue(chosen.splits)},
+                    {"classes", countsValue(chosen.classes)},
+                    {"sizes", countsValue(chosen.sizes)},
+                    {"occlusions", countsValue(chosen.occlusions)}};
 }
 
 Value sceneValue(const output::WrittenDataset& dataset, std::int64_t index) {
@@ -50,6 +62,14 @@ std::optional<std::string> writerToShow(const output::WrittenDataset& dataset) {
     if (!second) second = writer.name;
   }
   return second;
+}
+
+/// When a dataset's report was made, for its address; nothing where it was not.
+Value reportTime(const std::string& folder) {
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(output::reportFile(folder), error);
+  if (error) return {};
+  return static_cast<std::int64_t>(time.time_since_epoch().count());
 }
 
 /// Collects what verify finds.
@@ -89,7 +109,8 @@ std::string ResultService::folder() {
 Value ResultService::page(const HttpRequest& request) {
   const std::string of = folder();
   const output::WrittenDataset dataset(of);
-  const std::vector<std::int64_t> scenes = dataset.scenes();
+  const ChosenScenes chosen = chosenScenes(dataset, LabelFilter(request));
+  const std::vector<std::int64_t>& scenes = chosen.scenes;
   const auto count = static_cast<std::int64_t>(scenes.size());
   const std::int64_t pages = (count + kScenesOfAPage - 1) / kScenesOfAPage;
   const std::int64_t page =
@@ -107,8 +128,10 @@ Value ResultService::page(const HttpRequest& request) {
                     {"pages", Value(pages)},
                     {"scene_count", Value(counts.scenes)},
                     {"bytes", Value(counts.bytes)},
-                    {"counts", countsValue(counts.labels)},
+                    {"classes", countsValue(counts.labels)},
                     {"splits", countsValue(counts.splits)},
+                    {"chosen", chosenValue(chosen)},
+                    {"report", Value(reportTime(of))},
                     {"writers", Value(writers)},
                     {"scenes", Value(shown)}};
 }
@@ -144,6 +167,37 @@ Value ResultService::verify() {
       {"summary", Value(std::to_string(counts.scenes) + " scenes, " + std::to_string(counts.files) +
                         " files, " + std::to_string(counts.labels) + " labels checked, " +
                         std::to_string(found.problems.size()) + " problems")}};
+}
+
+Value ResultService::makeReport() {
+  const std::string of = folder();
+  if (!isBelow(std::filesystem::weakly_canonical(of), allowed_.home())) {
+    throw HttpError(403, "output_folder: found '" + of + "', and this page writes below '" +
+                             allowed_.home().string() +
+                             "' alone; `rosrun synthetic_dataset report " + of +
+                             "` makes the report by hand");
+  }
+  const std::lock_guard<std::mutex> lock(reporting_);
+  ChildProgram program({programBesideThis("report"), of});
+  std::string last_line;
+  program.read([&](const std::string& line) { last_line = line; });
+  if (program.wait() != 0) throw Error("the report cannot be made: " + last_line);
+  return Value::Map{{"report", reportTime(of)}};
+}
+
+HttpResponse ResultService::report() {
+  HttpResponse response;
+  response.type = "text/html; charset=utf-8";
+  try {
+    response.body = base::readInput(output::reportFile(folder()));
+  } catch (const Error&) {
+    throw HttpError(404, "there is no report of this dataset yet");
+  }
+  // It needs nothing but itself, and what it shows comes from users' files.
+  response.headers["Content-Security-Policy"] =
+      "sandbox; default-src 'none'; img-src data:; style-src 'unsafe-inline'; frame-ancestors "
+      "'none'";
+  return response;
 }
 
 }  // namespace synthetic_dataset::programs

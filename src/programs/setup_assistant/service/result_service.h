@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 
+#include "programs/setup_assistant/folders/allowed_folders.h"
 #include "programs/setup_assistant/service/document_service.h"
 #include "programs/setup_assistant/web/http_message.h"
 #include "synthetic_dataset/value.h"
@@ -14,10 +15,11 @@ namespace synthetic_dataset::programs {
 /// The dataset that the settings have made so far, from its files alone.
 class ResultService {
  public:
-  /// @param document  has to outlive this
-  explicit ResultService(DocumentService& document) : document_(document) {}
+  /// @param document, allowed  have to outlive this
+  ResultService(DocumentService& document, const AllowedFolders& allowed)
+      : document_(document), allowed_(allowed) {}
 
-  /// Some of its scenes, and what all of them hold.
+  /// Some of its scenes, of those that a LabelFilter takes, and what they and all of them hold.
   /// @throws HttpError 404 when there is no dataset yet
   [[nodiscard]] Value page(const HttpRequest& request);
 
@@ -29,11 +31,20 @@ class ResultService {
   /// What `verify` says.
   [[nodiscard]] Value verify();
 
+  /// Makes the page of `report` in the dataset's folder, which takes seconds.
+  /// @throws HttpError 403 where the page may not write
+  [[nodiscard]] Value makeReport();
+
+  /// That page, as it was made last. @throws HttpError 404 when it was not
+  [[nodiscard]] HttpResponse report();
+
  private:
   [[nodiscard]] std::string folder();
 
   DocumentService& document_;
-  std::mutex drawing_;  ///< two pictures at a time would take the cores from the run
+  const AllowedFolders& allowed_;
+  std::mutex reporting_;  ///< two would write one file
+  std::mutex drawing_;    ///< two pictures at a time would take the cores from the run
 };
 
 }  // namespace synthetic_dataset::programs

@@ -9,6 +9,7 @@
 #include "output/files/run_lock.h"
 #include "output/manifest/manifest_schema.h"
 #include "output/written_dataset.h"
+#include "programs/setup_assistant/run/child_program.h"
 #include "programs/setup_assistant/service/request_body.h"
 #include "programs/setup_assistant/web/http_message.h"
 #include "synthetic_dataset/errors.h"
@@ -24,14 +25,6 @@ std::string settingText(const Value& group, const std::string& name) {
   if (map == nullptr || found == map->end()) return "";
   const auto* text = found->second.as<std::string>();
   return text == nullptr ? "" : *text;
-}
-
-std::string generateProgram() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path program = self.parent_path() / "generate";
-  if (fs::exists(program, error)) return program.string();
-  throw Error("'" + program.string() + "': no such program");
 }
 
 /// The setting that has a run make some of its scenes alone.
@@ -82,7 +75,8 @@ Value RunService::start(const Value& body) {
   const Value::Map own = settings();
   requireOwnFolders(own);
   if (isHeldNow(outputFolderOf(own))) throw HttpError(409, "a run writes this dataset already");
-  std::vector<std::string> command = {generateProgram(), "--config", document_.file(), "--json"};
+  std::vector<std::string> command = {programBesideThis("generate"), "--config", document_.file(),
+                                      "--json"};
   const Value scenes = entryOf(body, "scenes");
   if (!scenes.isNull()) command.push_back(onlyScenes(scenes));
   const std::string replaced = textOf(body, "replace");

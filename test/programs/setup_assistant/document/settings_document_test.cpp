@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/json_text.h"
 #include "programs/setup_assistant/web/http_message.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
@@ -57,6 +58,24 @@ TEST(SettingsDocument, FindsSettingsThatAreWrittenWithSlashes) {
   const Value* value = base::valueAt(open.document.settings(), {"yolo", "class"});
   ASSERT_NE(nullptr, value);
   EXPECT_EQ(Value("number"), *value);
+}
+
+TEST(SettingsDocument, RemovesTheRemarkThatASettingIsToBeChosen) {
+  OpenDocument open("robot_list: []  # TODO: which?\nglobal_frame: map  # TODO: which?\n");
+  open.set({"robot_list"}, Value::List{"husky"});
+  EXPECT_EQ("robot_list: [husky]\nglobal_frame: map  # TODO: which?\n", open.onDisk());
+  open.document.undo();
+  EXPECT_NE(std::string::npos, open.onDisk().find("robot_list: []  # TODO: which?"));
+}
+
+TEST(SettingsDocument, SaysAnglesAsTheyAreWritten) {
+  OpenDocument open("camera: {pose: {rpy: [0, deg(20), 0.5]}}\nangle: !degrees 90\n");
+  const Value* rpy = base::valueAt(open.document.settings(), {"camera", "pose", "rpy"});
+  ASSERT_NE(nullptr, rpy);
+  EXPECT_EQ("[0, \"deg(20)\", 0.5]", base::jsonText(*rpy));
+  const Value* angle = base::valueAt(open.document.settings(), {"angle"});
+  ASSERT_NE(nullptr, angle);
+  EXPECT_NEAR(1.5708, *angle->as<double>(), 1e-4);
 }
 
 TEST(SettingsDocument, UndoesAndRedoesWithTheDisk) {
