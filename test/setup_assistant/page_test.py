@@ -365,6 +365,28 @@ class Camera(WithPage):
         for step, along in zip(moved, ahead):
             self.assertAlmostEqual(step / length, along, delta=0.02)
 
+    def test_shows_coarse_pictures_while_it_is_dragged(self):
+        self.fix_it()
+        before = self.page.revision()
+        picture, canvas = self.page.one('.picture'), self.page.one('#stage canvas')
+        hand = ActionChains(self.driver, duration=0)
+        hand.move_to_element(picture).click_and_hold().move_by_offset(-30, 5).perform()
+        self.page.wait(lambda: canvas.get_attribute('width') == '320', 'a coarse picture')
+        sums = {self.page.picture_sum()}
+        for _ in range(3):
+            glances = int(canvas.get_attribute('data-glances'))
+            ActionChains(self.driver, duration=0).move_by_offset(-20, 0).perform()
+            self.page.wait(lambda: int(canvas.get_attribute('data-glances')) > glances, 'the next coarse picture')
+            sums.add(self.page.picture_sum())
+        self.assertEqual(len(sums), 4, 'each from where the hand is')
+        self.assertEqual(self.page.revision(), before)
+        self.assertEqual(self.page.all('#stage .overlay'), [])
+        ActionChains(self.driver, duration=0).release().perform()
+        self.page.wait(lambda: self.page.revision() > before, 'the pose')
+        self.page.wait_for_picture()
+        self.assertEqual(canvas.get_attribute('width'), '640')
+        self.assertTrue(self.page.all('#stage .overlay .box'))
+
     def test_keeps_the_view_that_is_shown_when_it_is_fixed(self):
         self.page.click_and_wait('#pane .segment', 'Random')
         self.page.wait_for_picture()

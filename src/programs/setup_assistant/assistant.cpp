@@ -111,6 +111,9 @@ void Assistant::addLiveRoutes() {
   get("/api/setup", [this](const HttpRequest&) { return live_->setup(); });
   post("/api/check", [this](const Value&) { return live_->check(); });
   get("/api/scene", [this](const HttpRequest& request) { return live_->scene(request); });
+  routes_["GET /api/glance"] = [this](const HttpRequest& request) {
+    return live_->glance(request);
+  };
   get("/api/draws", [this](const HttpRequest& request) { return live_->draws(request); });
   get("/api/recording", [this](const HttpRequest&) { return live_->recording(); });
   get("/api/world", [this](const HttpRequest&) { return live_->world(); });

@@ -9,6 +9,7 @@
 
 #include "base/stages.h"
 #include "motion/bag/ros2_bag.h"
+#include "run/live/glance.h"
 #include "run/live/live_inputs.h"
 #include "run/live/one_scene_sink.h"
 #include "run/pictures/model_portrait.h"
@@ -72,6 +73,7 @@ struct LiveRun::Impl {
   explicit Impl(std::vector<std::string> plugin_xml_files) : inputs(std::move(plugin_xml_files)) {}
 
   LiveInputs inputs;
+  std::unique_ptr<Glance> glance;          ///< while nothing else draws
   std::optional<LiveRecording> recording;  ///< the last one that was asked for
   std::string recording_frame;             ///< in which its ways are
   FileStamps recording_files;
@@ -82,7 +84,10 @@ LiveRun::LiveRun(std::vector<std::string> plugin_xml_files)
 
 LiveRun::~LiveRun() = default;
 
-void LiveRun::setSettings(const Value& settings) { impl_->inputs.setSettings(settings); }
+void LiveRun::setSettings(const Value& settings) {
+  impl_->glance.reset();
+  impl_->inputs.setSettings(settings);
+}
 
 LiveSetup LiveRun::setup() {
   LiveSetup setup = impl_->inputs.described();
@@ -91,6 +96,7 @@ LiveSetup LiveRun::setup() {
 }
 
 LiveSetup LiveRun::check() {
+  impl_->glance.reset();
   LiveInputs& inputs = impl_->inputs;
   if (!inputs.described().ready) return setup();
   WarningList warnings;
@@ -105,6 +111,7 @@ LiveSetup LiveRun::check() {
 }
 
 LiveScene LiveRun::scene(std::int64_t instant, const std::string& camera) {
+  impl_->glance.reset();
   const Stopwatch watch;
   RunSetup& run = impl_->inputs.unusedRun();
   OneSceneSink sink(sceneOf(run, instant, camera));
@@ -113,8 +120,22 @@ LiveScene LiveRun::scene(std::int64_t instant, const std::string& camera) {
   return {sink.scene().value(), watch.seconds(), watch.processorSeconds()};
 }
 
+cv::Mat LiveRun::glance(std::int64_t instant, const std::string& camera, const Pose& X_GC) {
+  LiveInputs& inputs = impl_->inputs;
+  (void)inputs.described();  // notices files that have changed
+  if (!impl_->glance || !impl_->glance->canGoOn()) {
+    impl_->glance.reset();
+    impl_->glance = std::make_unique<Glance>(inputs.runOf(inputs.settings()));
+  }
+  const RunSetup& run = impl_->glance->run();
+  const std::int64_t scene = sceneOf(run, instant, camera);
+  const auto camera_count = static_cast<std::int64_t>(run.motions.front().cameras.size());
+  return impl_->glance->picture(instant, static_cast<std::size_t>(scene % camera_count), X_GC);
+}
+
 std::vector<LiveDraw> LiveRun::draws(std::size_t count, std::int64_t instant,
                                      const std::string& camera) {
+  impl_->glance.reset();
   LiveInputs& inputs = impl_->inputs;
   const std::int64_t index = sceneOf(inputs.unusedRun(), instant, camera);
   std::int64_t seed = inputs.unusedRun().config.seed;
@@ -152,6 +173,7 @@ const LiveRecording& LiveRun::recording() {
 }
 
 LiveWorld LiveRun::world() {
+  impl_->glance.reset();
   config::Config config = impl_->inputs.config();
   if (config.world.file.empty()) throw ErrorList({"world: missing; it names the world's file"});
   WorldCache& worlds = impl_->inputs.cache().worlds;
@@ -181,12 +203,14 @@ std::optional<LiveMap> LiveRun::placementMap() {
 }
 
 ObjectPortrait LiveRun::portrait(const std::string& object, const Viewpoint& viewpoint) {
+  impl_->glance.reset();
   const MotionSetup& motion = impl_->inputs.motionWith(object);
   return portrayObject(motion, indexOf(motion, object), viewpoint);
 }
 
 std::optional<PickedPoint> LiveRun::pick(const std::string& object, const Viewpoint& viewpoint,
                                          const Eigen::Vector2d& pixel) {
+  impl_->glance.reset();
   const MotionSetup& motion = impl_->inputs.motionWith(object);
   return pickPoint(motion, indexOf(motion, object), viewpoint, pixel);
 }

@@ -8,11 +8,14 @@
 
 #include <Eigen/Core>
 
+#include <opencv2/core/mat.hpp>
+
 #include "run/live/live_recording.h"
 #include "run/live/live_scene.h"
 #include "run/live/live_setup.h"
 #include "run/live/live_world.h"
 #include "run/live/object_portrait.h"
+#include "synthetic_dataset/pose.h"
 #include "synthetic_dataset/value.h"
 
 namespace synthetic_dataset::run {
@@ -51,6 +54,11 @@ class LiveRun {
   /// @throws ErrorList with what keeps the run from beginning
   /// @throws Error where there is no such instant or camera, or the scene cannot be made
   [[nodiscard]] LiveScene scene(std::int64_t instant, const std::string& camera = "");
+
+  /// A coarse picture of one of the run's scenes with its camera somewhere else, in a fraction of
+  /// the time: to be looked at while the camera is moved (Glance).
+  /// @throws Error as scene, and where the run's pictures are recorded ones
+  [[nodiscard]] cv::Mat glance(std::int64_t instant, const std::string& camera, const Pose& X_GC);
 
   /// Pictures of one instant with one seed after another, the run's own first.
   /// @throws Error as scene

@@ -105,6 +105,21 @@ TEST(Assistant, ShowsWhatTheRunWillMake) {
   EXPECT_EQ("\xFF\xD8", picture.body.substr(0, 2));  // a JPEG's first marker
 }
 
+TEST(Assistant, GlancesFromACameraThatIsMoved) {
+  OpenAssistant open;
+  HttpRequest request;
+  request.method = "GET";
+  request.path = "/api/glance";
+  request.query = {{"x", "-3"},   {"z", "1"},     {"qx", "-0.5"},
+                   {"qy", "0.5"}, {"qz", "-0.5"}, {"qw", "0.5"}};
+  const HttpResponse picture = open.assistant.answer(request);
+  EXPECT_EQ("image/jpeg", picture.type);
+  EXPECT_EQ("\xFF\xD8", picture.body.substr(0, 2));
+  request.query["qw"] = "0";
+  request.query["qx"] = request.query["qy"] = request.query["qz"] = "0";
+  EXPECT_THROW((void)open.assistant.answer(request), HttpError);
+}
+
 TEST(Assistant, ShowsWhatTheFilesHold) {
   OpenAssistant open;
   EXPECT_FALSE(memberOf(open.get("/api/recording"), "frames").as<Value::List>()->empty());

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "base/input_file.h"
 #include "base/json_text.h"
@@ -76,6 +77,41 @@ class LiveRunTest : public testing::Test {
 TEST_F(LiveRunTest, ShowsTheScenesThatTheRunMakes) {
   live.setSettings(settings);
   expectSame(live.scene(2).scene, freshScene(settings, 2));
+}
+
+TEST_F(LiveRunTest, GlancesAtTheSameScenesCoarsely) {
+  live.setSettings(settings);
+  for (const std::int64_t instant : {2, 0, 2}) {
+    const Scene whole = live.scene(instant).scene;
+    const cv::Mat coarse = live.glance(instant, "", whole.X_GC);
+    ASSERT_EQ(coarse.size(), whole.image.size() / 2);
+    cv::Mat shrunk;
+    cv::resize(whole.image, shrunk, coarse.size(), 0.0, 0.0, cv::INTER_AREA);
+    cv::Mat difference;
+    cv::absdiff(coarse, shrunk, difference);
+    // Edges are sharp in one of them alone; elsewhere they are alike.
+    EXPECT_LT(cv::mean(difference)[0], 6.0) << instant;
+  }
+}
+
+TEST_F(LiveRunTest, GlancesFromWhereTheCameraIsMoved) {
+  Value::Map aside = settings;
+  (*aside["camera"].as<Value::Map>())["pose"] = Value::Map{
+      {"position", Value::List{Value(-2.0), Value(1.5), Value(1.0)}}, {"look_at", Value("bravo")}};
+  live.setSettings(aside);
+  const Scene there = live.scene(1).scene;
+  live.setSettings(settings);
+  const Scene here = live.scene(1).scene;
+  const cv::Mat first = live.glance(1, "", here.X_GC);
+  const cv::Mat moved = live.glance(1, "", there.X_GC);
+  const cv::Mat back = live.glance(1, "", here.X_GC);
+  EXPECT_EQ(cv::norm(first, back, cv::NORM_INF), 0.0);
+  cv::Mat shrunk;
+  cv::resize(there.image, shrunk, moved.size(), 0.0, 0.0, cv::INTER_AREA);
+  EXPECT_LT(cv::norm(moved, shrunk, cv::NORM_L1), cv::norm(first, shrunk, cv::NORM_L1));
+  EXPECT_THROW((void)live.glance(99, "", here.X_GC), Error);
+  // What it draws with does not change the run's own scenes.
+  expectSame(live.scene(1).scene, freshScene(settings, 1));
 }
 
 /// One setting after another is changed and changed back.

@@ -24,6 +24,11 @@ export async function get(path, query = {}, options = {}) {
   return answerOf(await fetch(text ? `${path}?${text}` : path, options));
 }
 
+export async function getPicture(path, query) {
+  const response = await fetch(`${path}?${new URLSearchParams(query)}`);
+  return response.ok ? response.blob() : answerOf(response);
+}
+
 export async function post(path, body = {}) {
   return answerOf(await fetch(path, {
     method: 'POST',

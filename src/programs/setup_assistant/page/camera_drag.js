@@ -1,9 +1,10 @@
 // Moves the camera by hand: drag orbits, with Shift or the right button pans, the wheel zooms; on a touch screen two
-// fingers pan and zoom; keys do the same.
-import {cameraPath, formOf, orbitOfSettings, poseOfOrbit, wayOf} from './camera_pose.js';
+// fingers pan and zoom; keys do the same. Coarse pictures follow the hand; what the settings get is where it lets go.
+import {cameraPath, formOf, globalPose, orbitOfSettings, poseOfOrbit, wayOf} from './camera_pose.js';
+import {endGlances, forgetGlance, glanceFrom} from './glance.js';
 import {orbited, panned, zoomed} from './pose_math.js';
 import {scene} from './scene_loader.js';
-import {changed, effective, objectNames, set} from './store.js';
+import {changed, effective, objectNames, set, store} from './store.js';
 import {view} from './view_state.js';
 
 const RADIANS_A_PICTURE = 2.5;
@@ -11,11 +12,9 @@ const WHEEL_PAUSE = 400;  // [ms] without an event, after which a turn of the wh
 
 const hand = {
   orbit: null,
+  isMoved: false,
   isPanned: false,
   before: null,
-  count: 0,
-  isSending: false,
-  isWaiting: false,
   isOver: false,
   pointers: new Map(),  // where those that are down were last
   end: 0
@@ -34,37 +33,30 @@ function begin() {
   const path = cameraPath();
   hand.before = effective([...path, 'pose']) ?? {};
   hand.orbit = orbitOfSettings(path);
-  hand.isPanned = false;
-  ++hand.count;
+  hand.isMoved = hand.isPanned = false;
 }
 
-// What was sent last has to be in the settings before they say where the next move begins.
-function end() {
+// Writes where the camera stands now. Who takes it again meanwhile goes on from there.
+async function end() {
   hand.isOver = true;
-  if (hand.isSending) return;
-  hand.orbit = null;
-  changed();
-}
-
-// As fast as the server takes them; the last one always.
-async function send() {
-  hand.isWaiting = true;
-  if (hand.isSending) return;
-  hand.isSending = true;
-  while (hand.isWaiting) {
-    hand.isWaiting = false;
-    const path = [...cameraPath(), 'pose'];
-    await set(path, poseOfOrbit(hand.orbit, hand.before, hand.isPanned), `camera-${hand.count}`);
+  if (hand.isMoved) {
+    hand.isMoved = false;
+    await set([...cameraPath(), 'pose'], poseOfOrbit(hand.orbit, hand.before, hand.isPanned));
   }
-  hand.isSending = false;
-  if (hand.isOver) end();
+  if (!hand.isOver) return;
+  hand.orbit = null;
+  endGlances();
+  if (scene.value?.revision >= store.state.revision) forgetGlance();
+  changed();
 }
 
 function move(change, isPan = false) {
   begin();
   hand.orbit = change(hand.orbit);
+  hand.isMoved = true;
   hand.isPanned ||= isPan;
-  send();
+  const pose = view.layer === 'picture' ? globalPose(cameraPath(), hand.orbit) : null;
+  if (pose) glanceFrom(pose);
 }
 
 function pan(right, down, width) {

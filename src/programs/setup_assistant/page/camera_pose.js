@@ -103,6 +103,22 @@ function distanceTo(name) {
   return scene.value?.labels?.objects?.find((each) => each.name === name)?.distance;
 }
 
+// An orbit's optical frame in the global frame; null where that of what the camera is on is not known.
+export function globalPose(path, orbit) {
+  let body = matrixOfRpy(orbit.rpy);
+  let position = positionOf(orbit);
+  if (wayOf(path) === 'mounted_on') {
+    const carrier = poseOfObject(String(effective([...path, 'mounted_on'])));
+    if (!carrier) return null;
+    const rows = matrixOfQuaternion(carrier.slice(3));
+    const turned = (vector) => rows.map((row) => row.reduce((sum, each, k) => sum + each * vector[k], 0));
+    const columns = [0, 1, 2].map((index) => turned(body.map((row) => row[index])));
+    body = [0, 1, 2].map((row) => columns.map((each) => each[row]));
+    position = add(turned(position), carrier.slice(0, 3));
+  }
+  return [...position, ...quaternionOfMatrix(opticalOfBody(body))];
+}
+
 // The distance to the object in the picture's middle.
 function lengthAhead(path, position, rpy) {
   const {camera, labels} = scene.value ?? {};

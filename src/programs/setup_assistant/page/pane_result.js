@@ -54,8 +54,9 @@ function draw() {
       `${count(chosen.scene_count, 'scene')}, ${count(sum(chosen.classes), 'label')}`,
       isFiltered() ? h('button', {type: 'button', class: 'link', onclick: () => filterBy({})}, 'Show all') : null),
     h('div', {class: 'charts'}, chart('Labels of each class', chosen.classes),
-      chart('Scenes of each split', chosen.splits), chart('Labels by size', chosen.sizes, SIZES),
-      chart('Labels by what is hidden', chosen.occlusions, OCCLUSIONS)),
+      chart('Scenes of each split', chosen.splits),
+      chart('Labels by size, 32\u00b2 and 96\u00b2 px', chosen.sizes, SIZES),
+      chart('Labels by the share that is hidden', chosen.occlusions, OCCLUSIONS)),
     h('div', {class: 'result-head'},
       h('label', {class: 'toggle'}, h('input', {
           type: 'checkbox',
@@ -75,10 +76,11 @@ function sum(counts) {
 
 // --- Which scenes ---
 
+// As COCO has them: below 32 x 32 visible pixels, from 96 x 96 on.
 const SIZES = {
-  small: 'small, below 32\u00b2 px',
+  small: 'small',
   medium: 'medium',
-  large: 'large, from 96\u00b2 px'
+  large: 'large'
 };
 const OCCLUSIONS = {
   none: 'nothing',

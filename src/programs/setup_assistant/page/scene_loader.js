@@ -1,6 +1,7 @@
 // The scene under the time slider. One request at a time: what is wanted when it is answered is asked for next, so
 // that dragging shows as many pictures as the server can draw, and the last one always.
 import {get} from './api.js';
+import {forgetGlance} from './glance.js';
 import {changed, store, watch} from './store.js';
 import {currentCamera, currentInstant, view} from './view_state.js';
 
@@ -43,6 +44,7 @@ async function load() {
     scene.bitmap?.close();
     scene.bitmap = await createImageBitmap(await response.blob());
     Object.assign(scene, {value, error: null, count: scene.count + 1});
+    if (value.revision >= store.state.revision) forgetGlance();
   } catch (error) {
     scene.error = error.message;
   }

@@ -1,6 +1,7 @@
 // The dataset's own picture, the time slider, and which labels are shown.
 import {cameraDrag, dragHint} from './camera_drag.js';
 import {h, patch} from './dom.js';
+import {glance} from './glance.js';
 import {count, fixed} from './numbers.js';
 import {overlay} from './overlay.js';
 import {allProblems, count as countOf} from './problems.js';
@@ -36,7 +37,8 @@ function picture() {
         created: drawBitmap,
         class: message ? 'dimmed' : ''
       }),
-      value ? overlay(value, view.shown) : null, h('div', {class: 'loading', hidden: !scene.isLoading}),
+      value && !glance.bitmap ? overlay(value, view.shown) : null,
+      h('div', {class: 'loading', hidden: !scene.isLoading}),
       message ? h('p', {class: 'message', role: 'status'}, message) : null,
       hint ? h('p', {class: 'drag-hint', 'aria-hidden': 'true'}, hint) : null);
 }
@@ -50,21 +52,24 @@ function noDrag() {
   return Object.fromEntries(Object.keys(cameraDrag).map((each) => [each, null]));
 }
 
-let drawn = 0;
+let drawn = '';
 
 function drawBitmap(canvas) {
-  if (!scene.bitmap) return;
-  canvas.width = scene.bitmap.width;
-  canvas.height = scene.bitmap.height;
-  canvas.getContext('2d').drawImage(scene.bitmap, 0, 0);
+  const bitmap = glance.bitmap ?? scene.bitmap;
+  if (!bitmap) return;
+  canvas.width = bitmap.width;
+  canvas.height = bitmap.height;
+  canvas.getContext('2d').drawImage(bitmap, 0, 0);
   canvas.dataset.count = scene.count;
-  canvas.dataset.revision = scene.value.revision;
-  canvas.dataset.instant = scene.value.instant;
+  canvas.dataset.glances = glance.count;
+  canvas.dataset.revision = glance.bitmap ? '' : scene.value.revision;
+  canvas.dataset.instant = scene.value?.instant ?? '';
 }
 
 export function redrawBitmap() {
-  if (drawn === scene.count) return;
-  drawn = scene.count;
+  const key = `${scene.count} ${glance.count}`;
+  if (drawn === key) return;
+  drawn = key;
   const canvas = document.querySelector('#stage canvas');
   if (canvas) drawBitmap(canvas);
 }

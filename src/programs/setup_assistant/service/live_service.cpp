@@ -33,6 +33,19 @@ Value addressOf(const cv::Mat& picture, const std::string& extension, PictureCac
   return picture.empty() ? Value() : Value(pictures.add(picture, extension));
 }
 
+Pose poseParameter(const HttpRequest& request) {
+  const auto number = [&](const char* name, double fallback) {
+    return numberParameter(request, name, fallback);
+  };
+  const Eigen::Quaterniond turn(number("qw", 1.0), number("qx", 0.0), number("qy", 0.0),
+                                number("qz", 0.0));
+  if (!(turn.norm() > 0.5)) throw HttpError(400, "qx, qy, qz, qw: found no turn");
+  Pose pose = Pose::Identity();
+  pose.linear() = turn.normalized().toRotationMatrix();
+  pose.translation() << number("x", 0.0), number("y", 0.0), number("z", 0.0);
+  return pose;
+}
+
 Value sceneView(run::LiveRun& live, const HttpRequest& request, PictureCache& pictures) {
   const run::LiveScene made =
       live.scene(wholeParameter(request, "instant", 0), request.parameter("camera").value_or(""));
@@ -134,6 +147,19 @@ Value LiveService::scene(const HttpRequest& request) {
     (*view.as<Value::Map>())["revision"] = shown_.revision;
     return view;
   });
+}
+
+HttpResponse LiveService::glance(const HttpRequest& request) {
+  const Value picture = latest("glance", request, [request](run::LiveRun& live) {
+    return Value(encodedPicture(
+        live.glance(wholeParameter(request, "instant", 0), request.parameter("camera").value_or(""),
+                    poseParameter(request)),
+        ".jpg"));
+  });
+  HttpResponse response;
+  response.type = "image/jpeg";
+  response.body = picture.text();
+  return response;
 }
 
 Value LiveService::draws(const HttpRequest& request) {

@@ -31,6 +31,9 @@ class LiveService {
   [[nodiscard]] Value check();
 
   [[nodiscard]] Value scene(const HttpRequest& request);
+  /// A coarse picture, a JPEG, from a camera that is moved: LiveRun::glance.
+  /// @param request  instant, camera, and its optical frame's pose: x, y, z, qx, qy, qz, qw
+  [[nodiscard]] HttpResponse glance(const HttpRequest& request);
   [[nodiscard]] Value draws(const HttpRequest& request);
   [[nodiscard]] Value recording();
   [[nodiscard]] Value world();
