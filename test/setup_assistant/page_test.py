@@ -24,8 +24,8 @@ from assistant import Assistant, Page, chromium
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = PACKAGE / 'config' / 'example.yaml'
-PANES = ['recording', 'objects', 'world', 'cameras', 'placement', 'randomisation', 'formats',
-         'output', 'problems', 'run', 'result']
+PANES = ['recording', 'objects', 'world', 'cameras', 'randomisation', 'formats', 'output',
+         'problems', 'run', 'result']
 
 
 class WithPage(unittest.TestCase):
@@ -442,6 +442,18 @@ class Recording(WithPage):
         row = next(each.text for each in self.page.all('.timeline-row.used') if 'rover_1' in each.text)
         # Its box is 6.81 m from corner to corner, and the way bends.
         self.assertAlmostEqual(float(re.search(r'([\d.]+) m', row).group(1)), 8.66, delta=0.05)
+
+    def test_is_done_without_where_it_is_chosen(self):
+        self.page.click_and_wait('#pane .segment', 'Place at random')
+        self.assertRegex(self.page.yaml(), r'\nmotion: placement\n')
+        self.page.wait(lambda: self.page.all('[data-path="placement/mode"]'), 'where objects are put')
+        self.assertIn('none: on the ground, 100 scenes', self.page.text('#nav a[href="#recording"]'))
+        self.page.wait(lambda: 'reading' not in self.page.text('#header .verdict'), 'the settings to be read')
+        self.page.click_and_wait('#pane .segment', 'In a box')
+        self.page.click_and_wait('#pane button', 'Set a box')
+        self.assertRegex(self.page.yaml(), r'volume:')
+        self.page.click_and_wait('#pane .segment', 'Follow a recording')
+        self.page.wait(lambda: self.page.all('.timeline-row'), 'the frames')
 
     def test_may_lack_objects_for_a_while(self):
         self.page.click('#pane summary', 'Gaps, stretches, other topics')

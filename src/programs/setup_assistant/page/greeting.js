@@ -3,7 +3,8 @@ import {post} from './api.js';
 import {h} from './dom.js';
 import {browse} from './file_dialog.js';
 import {fileName} from './numbers.js';
-import {change, changed, isEmpty, report, store, takeStateOf} from './store.js';
+import {chooseMotion} from './placement_fields.js';
+import {changed, isEmpty, report, store, takeStateOf} from './store.js';
 
 const chosen = {
   bags: [],
@@ -48,7 +49,8 @@ export function greeting() {
             'Step by step instead'))),
       h('section', {class: 'group'}, h('h2', {}, 'Without a recording'),
         h('p', {class: 'hint'}, 'Objects are placed at random: on the ground of a world, on a map, or in the air.'),
-        h('p', {class: 'buttons'}, h('button', {type: 'button', onclick: place}, 'Place objects at random'))));
+        h('p', {class: 'buttons'},
+          h('button', {type: 'button', onclick: () => chooseMotion('placement')}, 'Place objects at random'))));
 }
 
 function row(label, what, files, choose, remove) {
@@ -99,9 +101,4 @@ async function start() {
   }
   chosen.isBusy = false;
   changed();
-}
-
-async function place() {
-  await change([[['motion'], 'placement'], [['scenes'], 100], [['placement', 'mode'], 'ground']]);
-  if (!isEmpty()) location.hash = 'placement';
 }

@@ -4,6 +4,7 @@ import {map} from './figure_map.js';
 import {timeline} from './figure_timeline.js';
 import {greeting, greets} from './greeting.js';
 import {count, duration, fileName} from './numbers.js';
+import {chooseMotion, isPlaced, PLACEMENT_PATHS, placementFields, placementSummary} from './placement_fields.js';
 import {waysOfObjects} from './recording.js';
 import {answer, effective} from './store.js';
 
@@ -17,17 +18,15 @@ const WHEN_UNKNOWN = [['skip_scene', 'No scenes'], ['absent', 'Scenes without it
 export const recordingPane = {
   id: 'recording',
   title: 'Recording',
-  text: 'The bag with the TF tree says where objects and cameras are. Without a bag, objects are placed at random.',
-  paths: () => PATHS.map((each) => [each]),
-  summary: () =>
-      (effective(['motion']) === 'placement' ? 'none' :
-                                               [].concat(effective(['bag_file']) ?? []).map(fileName).join(', ')),
+  text: 'Where objects are: a bag with the TF tree says it or, without one, they are placed at random.',
+  paths: () => [...PATHS.map((each) => [each]), ...PLACEMENT_PATHS],
+  summary: () => (isPlaced() ? placementSummary() : [].concat(effective(['bag_file']) ?? []).map(fileName).join(', ')),
   draw,
 };
 
 function draw() {
   if (greets()) return [greeting()];
-  if (effective(['motion']) === 'placement') return [motionChoice(), withoutRecording()];
+  if (isPlaced()) return [motionChoice(), ...placementFields()];
   const {value: recording, error} = answer('api/recording');
   const frames = (recording?.frames ?? []).map((each) => each.name);
   const roots = [...new Set(
@@ -66,13 +65,7 @@ function draw() {
 function motionChoice() {
   return choiceField(
       ['motion'], [['bag', 'Follow a recording'], ['placement', 'Place at random']],
-      {label: 'Objects\u2019 poses', fallback: 'bag'});
-}
-
-function withoutRecording() {
-  return h(
-      'p', {class: 'empty'}, 'Objects are placed at random, so no recording is read. ',
-      h('a', {href: '#placement'}, 'To the placement'));
+      {label: 'Objects\u2019 poses', fallback: 'bag', choose: chooseMotion});
 }
 
 function facts(recording) {

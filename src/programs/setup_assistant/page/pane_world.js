@@ -19,10 +19,7 @@ function draw() {
   const isGroup = typeof effective(['world']) !== 'string';
   return [
     section(
-        'File',
-        fileField(
-            isGroup ? ['world', 'file'] : ['world'], 'world',
-            {label: 'World', hint: 'An SDF world or model: a path or a URI (model://, package://, file://).'}),
+        'File', fileField(isGroup ? ['world', 'file'] : ['world'], 'world', {label: 'World'}),
         effective(['world_file']) === undefined ? null : fileField(['world_file'], 'world', {label: 'instead of it'}),
         isGroup ?
             [

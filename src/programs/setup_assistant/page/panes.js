@@ -3,7 +3,6 @@ import {camerasPane} from './pane_cameras.js';
 import {formatsPane} from './pane_formats.js';
 import {objectsPane} from './pane_objects.js';
 import {outputPane} from './pane_output.js';
-import {placementPane} from './pane_placement.js';
 import {findPanesBy, problemsPane} from './pane_problems.js';
 import {randomisationPane} from './pane_randomisation.js';
 import {recordingPane} from './pane_recording.js';
@@ -17,7 +16,6 @@ export const panes = [
   objectsPane,
   worldPane,
   camerasPane,
-  placementPane,
   randomisationPane,
   formatsPane,
   outputPane,

@@ -2,31 +2,40 @@ import {h} from './dom.js';
 import {choiceField, fileField, more, numberField, section, textField, vectorField} from './fields.js';
 import {map} from './figure_map.js';
 import {count} from './numbers.js';
-import {answer, effective, set} from './store.js';
+import {answer, change, effective, set} from './store.js';
 
-export const placementPane = {
-  id: 'placement',
-  title: 'Without a recording',
-  text: 'Objects are put somewhere else for each scene: on the free cells of a map, in a box, or dropped from it.',
-  paths: () => [['motion'], ['placement'], ['scenes']],
-  summary: () =>
-      (effective(['motion']) === 'placement' ?
-           `${effective(['placement', 'mode']) ?? 'map'}${
-               effective(['scenes']) ? `, ${count(effective(['scenes']), 'scene')}` : ''}` :
-                                       'not used'),
-  draw,
+// Objects that are placed at random: settings of the step Recording, where there is none.
+export const PLACEMENT_PATHS = [['motion'], ['placement'], ['scenes']];
+
+export function isPlaced() {
+  return effective(['motion']) === 'placement';
+}
+
+export function placementSummary() {
+  const scenes = effective(['scenes']);
+  return `none: ${NAMES[effective(['placement', 'mode']) ?? 'map']}${scenes ? `, ${count(scenes, 'scene')}` : ''}`;
+}
+
+const NAMES = {
+  ground: 'on the ground',
+  map: 'on a map',
+  volume: 'in a box',
+  drop: 'dropped'
 };
 
-function draw() {
-  const motion = choiceField(
-      ['motion'], [['bag', 'Follow a recording'], ['placement', 'Place at random']],
-      {label: 'Objects\u2019 poses', fallback: 'bag'});
-  if (effective(['motion']) !== 'placement') {
-    return [motion, h('p', {class: 'empty'}, 'Objects follow the recording, so nothing is placed at random.')];
+// With what placement cannot do without, where the file does not say it.
+export function chooseMotion(motion) {
+  const changes = [[['motion'], motion]];
+  if (motion === 'placement' && effective(['scenes']) === undefined) changes.push([['scenes'], 100]);
+  if (motion === 'placement' && effective(['placement']) === undefined) {
+    changes.push([['placement', 'mode'], 'ground']);
   }
+  return change(changes);
+}
+
+export function placementFields() {
   const mode = effective(['placement', 'mode']) ?? 'map';
   return [
-    motion,
     numberField(['scenes'], {label: 'Scenes of each camera', step: 10}),
     section(
         'Where',
