@@ -292,12 +292,18 @@ std::string ResourceFinder::searchedPlaces(const std::string& uri, const fs::pat
     return "it leads out of the folders that it may name, and nothing outside of them is read";
   }
   std::vector<std::string> places;
+  std::set<std::string> exported;  // nobody who reads this has chosen them: how many is enough
   for (const std::string& spelling : spellings(uri)) {
-    for (const Candidates& each : {candidates(spelling, folder), exportedCandidates(spelling)}) {
-      for (const std::string& place : each.shown) {
-        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
-      }
+    for (const std::string& place : candidates(spelling, folder).shown) {
+      if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
     }
+    for (const std::string& place : exportedCandidates(spelling).shown) exported.insert(place);
+  }
+  for (const std::string& place : places) exported.erase(place);
+  if (!exported.empty()) {
+    places.push_back(std::to_string(exported.size()) +
+                     (exported.size() == 1 ? " folder" : " folders") +
+                     " that ROS packages export for Gazebo");
   }
   std::string text;
   for (const std::string& place : places) text += (text.empty() ? "looked in " : ", ") + place;

@@ -174,6 +174,16 @@ TEST(ResourceFinder, AsksPackagesForTheirExportsOnlyWhenSomethingIsMissing) {
   EXPECT_THAT(finder.find("chair", "/"), Optional(model.parent_path()));
 }
 
+TEST(ResourceFinder, NamesTheFoldersThatSomebodyHasChosenAndCountsThoseOfPackages) {
+  const ResourceFinder finder({"/models/mine"}, nullptr, [] {
+    return ExportedFolders{{"/opt/a/models", "/opt/b/models", "/models/mine"}, {}};
+  });
+  const std::string places = finder.searchedPlaces("model://chair/model.sdf", "/");
+  EXPECT_THAT(places, HasSubstr("looked in /models/mine"));
+  EXPECT_THAT(places, HasSubstr(", 2 folders that ROS packages export for Gazebo"));
+  EXPECT_THAT(places, Not(HasSubstr("/opt/")));
+}
+
 TEST(ResourceFinder, RefusesToLeadOutOfItsFolders) {
   const TemporaryFolder folder;
   const auto neighbour = folder.write("models/b/x.png", "");
