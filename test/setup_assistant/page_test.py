@@ -425,6 +425,32 @@ class Camera(WithPage):
     def yaw(self):
         return float(self.page.all('[data-path="camera/pose/rpy"] input')[2].get_attribute('value'))
 
+    def test_is_drawn_within_angles_in_degrees_where_the_file_has(self):
+        self.page.type_yaml(self.page.yaml().replace('camera:\n', 'camera:\n  sample: {elevation: {uniform: [deg(10), deg(40)]}}\n', 1))
+        elevation = '[data-path="camera/sample/elevation"]'
+        boxes = self.page.wait(lambda: self.page.all(f'{elevation} input.number'), 'the elevation')
+        self.assertEqual([each.get_attribute('value') for each in boxes], ['10', '40'])
+        self.page.wait(lambda: self.page.all(f'{elevation} .unit')[0].text == '[deg]', 'degrees')
+        before = self.page.revision()
+        boxes[1].send_keys(Keys.CONTROL, 'a')
+        boxes[1].send_keys('50', Keys.TAB)
+        self.page.wait(lambda: self.page.revision() > before, 'the new limit')
+        self.assertIn('uniform: [deg(10), deg(50)]', self.page.yaml())
+
+    def test_is_renamed_where_it_stands(self):
+        self.page.click_and_wait('#pane button', '+ Add')
+        name = self.page.wait(lambda: next((each for each in self.page.all('#camera-name')
+                                            if each.get_attribute('value') == 'camera_2'), None), 'its name')
+        name.send_keys(Keys.CONTROL, 'a')
+        name.send_keys('camera', Keys.TAB)  # the first one has it
+        self.assertNotEqual(self.page.script('return document.getElementById("camera-name").validationMessage'), '')
+        before = self.page.revision()
+        name.send_keys(Keys.CONTROL, 'a')
+        name.send_keys('rear', Keys.TAB)
+        self.page.wait(lambda: self.page.revision() > before, 'the new name')
+        self.page.wait(lambda: [each.text for each in self.page.all('.tabs .tab')][:2] == ['camera', 'rear'], 'its tab')
+        self.assertNotIn('camera_2', self.page.yaml())
+
     def test_leaves_the_map_where_it_is(self):
         self.fix_it()
         before = self.page.one('#pane .map svg').get_attribute('viewBox')

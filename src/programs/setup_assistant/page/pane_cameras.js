@@ -1,13 +1,14 @@
 import {cameraPath, formOf, framePath, orbitOfSettings, poseOn, roundedPose, shownPose, wayOf} from './camera_pose.js';
 import {distribution} from './distribution.js';
 import {h} from './dom.js';
-import {choiceField, fileField, flowField, more, numberField, problemList, section, segments, switchField, textField, vectorField} from './fields.js';
+import {choiceField, fileField, flowField, more, numberField, problemList, renaming, section, segments, switchField, textField, vectorField} from './fields.js';
 import {map} from './figure_map.js';
 import {fileName, fixed} from './numbers.js';
 import {freeName} from './paths.js';
 import {matrixOfRpy, opticalOfBody, quaternionOfMatrix} from './pose_math.js';
 import {problemsAt} from './problems.js';
 import {frames, recording, waysOfObjects} from './recording.js';
+import {renameCamera, whyNotCamera} from './rename.js';
 import {scene} from './scene_loader.js';
 import {answer, change, effective, objectNames, set} from './store.js';
 import {cameraNames, currentCamera, show} from './view_state.js';
@@ -31,8 +32,13 @@ function draw() {
   const path = cameraPath();
   return [
     tabs(),
-    h('div', {key: path.join('/')}, section('Lens', lens(path)), section('Where it is', place(path)),
-      section('From above', fromAbove()),
+    h('div', {key: path.join('/')},
+      path[0] === 'cameras' ? renaming('camera-name', path[1], {
+        whyNot: whyNotCamera,
+        rename: (wanted) => renameCamera(path[1], wanted).then(() => show({camera: wanted})),
+      }) :
+                              null,
+      section('Lens', lens(path)), section('Where it is', place(path)), section('From above', fromAbove()),
       more(
           'Range of sight, rectified pictures',
           ['near', 'far', 'rectified', 'stereo_frame'].map((each) => [...path, each]),

@@ -1,5 +1,5 @@
 import {h} from './dom.js';
-import {choiceField, fileField, flowField, more, numberField, problemList, section, textField, vectorField} from './fields.js';
+import {choiceField, fileField, flowField, more, numberField, problemList, renaming, section, textField, vectorField} from './fields.js';
 import {fixed} from './numbers.js';
 import {freeName} from './paths.js';
 import {modelOf, portrait} from './portrait.js';
@@ -174,25 +174,11 @@ function object(name) {
 }
 
 function nameField(name) {
-  const why = whyNamed(name);
-  const onchange = ({target}) => {
-    const wanted = target.value.trim();
-    const problem = wanted === name ? null : whyNot(wanted, name);
-    target.setCustomValidity(problem ?? '');
-    if (problem) {
-      target.reportValidity();
-      target.isEdited = true;  // what was typed stays, to be mended
-    } else if (wanted !== name) {
-      rename(name, wanted).then(() => show({object: wanted}));
-    }
-  };
-  return h(
-      'div', {class: 'field', key: 'name'},
-      h('div', {class: 'field-head'}, h('label', {class: 'field-label', 'for': 'object-name'}, 'Name')),
-      h('div', {class: 'control'},
-        h('input',
-          {type: 'text', id: 'object-name', value: name, disabled: why !== null, spellcheck: 'false', onchange})),
-      h('p', {class: 'hint'}, why ?? ''));
+  return renaming('object-name', name, {
+    why: whyNamed(name),
+    whyNot,
+    rename: (wanted) => rename(name, wanted).then(() => show({object: wanted})),
+  });
 }
 
 function size({low, high}) {

@@ -1,4 +1,4 @@
-// Gives an object another name, wherever the settings name it. What it follows and looks like stays.
+// Gives an object or a camera another name, wherever the settings name it. What it follows and looks like stays.
 import {keyOf} from './paths.js';
 import {answer, change, effective, frameOf, objectNames, own, report, setText, store} from './store.js';
 import {lineOf} from './yaml_lines.js';
@@ -13,31 +13,56 @@ export function whyNamed(name) {
   return isOfWorld ? 'It is the world\u2019s model of this name.' : null;
 }
 
-export function whyNot(wanted, name) {
-  if (!/^[A-Za-z]\w*$/.test(wanted)) return 'A name has letters, digits and underscores, and begins with a letter.';
-  const isTaken = wanted !== name && (objectNames().includes(wanted) || effective([wanted]) !== undefined);
-  return isTaken ? `There is a ${wanted} already.` : null;
+const NAME = /^[A-Za-z]\w*$/;
+
+function whyNoName(wanted) {
+  return NAME.test(wanted) ? null : 'A name has letters, digits and underscores, and begins with a letter.';
 }
 
-export async function rename(name, wanted) {
+export function whyNot(wanted) {
+  const isTaken = objectNames().includes(wanted) || effective([wanted]) !== undefined;
+  return whyNoName(wanted) ?? (isTaken ? `There is a ${wanted} already.` : null);
+}
+
+export function whyNotCamera(wanted) {
+  return whyNoName(wanted) ??
+      (effective(['cameras', wanted]) !== undefined ? `There is a camera ${wanted} already.` : null);
+}
+
+export function rename(name, wanted) {
+  return renameGroup([name], wanted, changesFor(name, wanted));
+}
+
+// One of several: it keeps its place among them, which is the order of the scenes.
+export function renameCamera(name, wanted) {
+  return renameGroup(['cameras', name], wanted, []);
+}
+
+// In the text, the group keeps its comments and what else refers to it. What a line does not begin with is written
+// anew.
+async function renameGroup(path, wanted, more) {
   const step = `rename-${++count}`;
-  const changes = changesFor(name, wanted);
-  // In the text, the group keeps its comments and what else refers to it.
-  const line = lineOf(store.state.text, [name]);
-  if (line) {
-    const lines = store.state.text.split('\n');
-    const end = lines[line - 1].indexOf(':', lines[line - 1].lastIndexOf(name));
-    lines[line - 1] = wanted + lines[line - 1].slice(end);
-    try {
-      await setText(lines.join('\n'), store.state.revision, step);
-    } catch (error) {
-      return report(error);
-    }
-  } else {
-    changes.unshift([[wanted], effective([name])]);
-    if (own([name]) !== undefined) changes.push([[name], undefined]);
+  const text = withNewKey(store.state.text, path, wanted);
+  const there = [...path.slice(0, -1), wanted];
+  const anew = text === null ? [[there, effective(path)]] : [];
+  const gone = text === null && own(path) !== undefined ? [[path, undefined]] : [];
+  try {
+    if (text !== null) await setText(text, store.state.revision, step);
+  } catch (error) {
+    return report(error);
   }
-  return change(changes, step);
+  return change([...anew, ...more, ...gone], step);
+}
+
+const KEY = /^(\s*)(["']?)([^"':]+?)\2(\s*:.*)$/;
+
+function withNewKey(text, path, wanted) {
+  const lines = text.split('\n');
+  const index = (lineOf(text, path) ?? 0) - 1;
+  const [, indent, , key, rest] = KEY.exec(lines[index] ?? '') ?? [];
+  if (key !== path.at(-1)) return null;
+  lines[index] = indent + wanted + rest;
+  return lines.join('\n');
 }
 
 function changesFor(name, wanted) {
