@@ -193,10 +193,16 @@ class UltralyticsYoloWriter : public LabelWriter {
       if (used.erase(split) > 0) yaml.splits.push_back(split);
     }
     yaml.splits.insert(yaml.splits.end(), used.begin(), used.end());
-    // FiftyOne looks for dataset.yaml, Label Studio for classes.txt.
-    for (const char* name : {"data.yaml", "dataset.yaml"}) {
-      output.addFile(name, [&](std::ostream& stream) { writeUltralyticsYaml(stream, yaml); });
-    }
+    const auto add = [&](const std::string& name, const std::string& purpose) {
+      output.addFile(name, [&](std::ostream& stream) {
+        stream << "# " << purpose << '\n';
+        writeUltralyticsYaml(stream, yaml);
+      });
+    };
+    add("data.yaml",
+        "For Ultralytics: `yolo " + options_.task + " train data=/path/to/data.yaml`.");
+    add("dataset.yaml", "For FiftyOne, which looks for this name; the rest is that of data.yaml.");
+    // Label Studio looks for classes.txt.
     output.addFile("classes.txt", [&](std::ostream& stream) {
       for (const std::string& name : yaml.names) stream << name << '\n';
     });

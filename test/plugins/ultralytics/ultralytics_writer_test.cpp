@@ -15,6 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
+using testing::StartsWith;
 
 class Ultralytics : public PluginTest {
  protected:
@@ -230,6 +231,7 @@ TEST_F(Ultralytics, TellsTheLoaderWhatItNeeds) {
   test.split = "test";
   runAll({train, val, test});
   EXPECT_EQ(test::readFile(folder() + "data.yaml"),
+            "# For Ultralytics: `yolo pose train data=/path/to/data.yaml`.\n"
             "# Ultralytics looks for the images beside this file: as there is no `path`, the "
             "folder can be moved.\n"
             "train: images/train\nval: images/val\ntest: images/test\n"
@@ -237,6 +239,10 @@ TEST_F(Ultralytics, TellsTheLoaderWhatItNeeds) {
             "kpt_shape: [2, 3]\nflip_idx: [1, 0]\n"
             "kpt_names:\n  0: [\"front\", \"rear\"]\n  1: [\"unused_0\", \"unused_1\"]\n"
             "  2: [\"mast\", \"unused_1\"]\n");
+  EXPECT_THAT(
+      test::readFile(folder() + "dataset.yaml"),
+      StartsWith("# For FiftyOne, which looks for this name; the rest is that of data.yaml.\n"
+                 "# Ultralytics looks for"));
 }
 
 TEST_F(Ultralytics, AKeypointHasTheColumnOfItsName) {
