@@ -1,7 +1,7 @@
 // Shows a section of the documentation over the page.
 import {h, patch} from './dom.js';
 
-// `section`: as links to headings name it; '' for what is before the first one.
+// `section`: as links to headings name it; '' for all of it.
 export async function showDocument(document_name, section) {
   const dialog = document.getElementById('dialog');
   const show = (content) => patch(dialog, [
@@ -26,7 +26,7 @@ export function anchorOf(heading) {
 export function sectionOf(text, section) {
   const lines = text.split('\n');
   const isHeading = (line) => line.startsWith('## ');
-  const begin = section ? lines.findIndex((line) => isHeading(line) && anchorOf(line.slice(3)) === section) : 0;
+  const begin = lines.findIndex((line) => isHeading(line) && anchorOf(line.slice(3)) === section);
   if (begin < 0) return text;
   const end = lines.findIndex((line, index) => index > begin && isHeading(line));
   return lines.slice(begin, end < 0 ? lines.length : end).join('\n');

@@ -4,7 +4,7 @@
 // By the path that config/params.yaml has: [text, section of the documentation].
 const HELP = {
   'motion': ['Objects go where a recording has them, or somewhere else at random in each scene.', 'placement'],
-  'bag_file': ['A bag of ROS 1 or ROS 2 with TF. Several count as one recording.', 'recordings'],
+  'bag_file': ['A bag of ROS 1 or ROS 2 with TF. Several count as one recording.', 'recordings#bags-of-ros-2'],
   'simulated_rate': ['How many scenes are made of a second of the recording.', 'recordings#times'],
   'start_offset': ['So much of the recording\u2019s start makes no scenes.', 'recordings#times'],
   'duration': ['So much after that makes scenes; all of it without a number.', 'recordings#times'],
