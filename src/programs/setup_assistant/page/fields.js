@@ -2,7 +2,6 @@
 import {chooseUnit, convertedAngles, DEGREES, inDegrees, shownAngles, writtenAngles} from './angles.js';
 import {showDocument} from './doc_dialog.js';
 import {h} from './dom.js';
-import {browse} from './file_dialog.js';
 import {parseFlow, parseScalar, printFlow} from './flow.js';
 import {helpOf} from './help.js';
 import {isEqual, keyOf} from './paths.js';
@@ -93,7 +92,7 @@ function noteOf(path, source) {
 }
 
 // `control(props)` makes the element that is labelled; `props` has its id and its descriptions.
-function field(path, options, control) {
+export function field(path, options, control) {
   const id = idOf(path);
   const problems = problemsBelow(path);
   const source = sourceOf(path);
@@ -166,11 +165,11 @@ export function textField(path, options = {}) {
   ]);
 }
 
-function printText(value) {
+export function printText(value) {
   return typeof value === 'string' && parseScalar(value) === value ? value : printFlow(value);
 }
 
-function setFromText(path, text) {
+export function setFromText(path, text) {
   set(path, text.trim() === '' ? undefined : valueOfText(text));
 }
 
@@ -350,98 +349,6 @@ function setFromFlow(path, input) {
     input.isEdited = true;  // what was typed stays, to be mended
     return undefined;
   }
-}
-
-export function fileField(path, kind, options = {}) {
-  return field(
-      path, options,
-      (props) =>
-          h('div', {class: 'with-button'}, h('input', {
-              ...props,
-              type: 'text',
-              spellcheck: 'false',
-              autocomplete: 'off',
-              placeholder: options.placeholder ?? '',
-              value: printText(effective(path)),
-              onchange: (event) => setFromText(path, event.target.value),
-            }),
-            h('button', {
-              type: 'button',
-              onclick: () => pick(kind, {...options, current: effective(path)}, (file) => set(path, file))
-            },
-              'Browse\u2026')));
-}
-
-async function pick(kind, options, use) {
-  const file = await browse(kind, options.label ?? kind, options.current);
-  if (file) use(file);
-}
-
-// A file or several: a text or a list of texts.
-export function fileListField(path, kind, options = {}) {
-  const value = effective(path);
-  const files = value === undefined ? [] : [].concat(value);
-  const put = (list) =>
-      set(path,
-          list.length === 0                        ? undefined :
-              list.length === 1 && !options.isList ? list[0] :
-                                                     list);
-  const add = (file) => put([...files, file]);
-  return field(
-      path, {...options, isGroup: true},
-      (props) =>
-          h('div', {class: 'file-list', id: props.id},
-            h('div', {},
-              files.map(
-                  (file, index) =>
-                      h('div', {class: 'with-button'}, h('input', {
-                          type: 'text',
-                          value: String(file),
-                          spellcheck: 'false',
-                          autocomplete: 'off',
-                          'aria-label': `${options.label ?? path.at(-1)} ${index + 1}`,
-                          'aria-describedby': props['aria-describedby'],
-                          'aria-invalid': props['aria-invalid'],
-                          onchange: (event) => put(files.map((each, at) => (at === index ? event.target.value : each))),
-                        }),
-                        h('button', {
-                          type: 'button',
-                          class: 'quiet',
-                          'aria-label': `Remove ${file}`,
-                          onclick: () => put(files.filter((each, at) => at !== index))
-                        },
-                          '\u00d7')))),
-            h('button', {type: 'button', onclick: () => pick(kind, options, add)},
-              files.length ? 'Add\u2026' : 'Browse\u2026')));
-}
-
-// A name that others refer to. `why` it stays, or null; `whyNot(wanted)` a name cannot be had, or null.
-export function renaming(id, name, {why = null, whyNot, rename}) {
-  const onchange = ({target}) => {
-    const wanted = target.value.trim();
-    const problem = wanted === name ? null : whyNot(wanted);
-    target.setCustomValidity(problem ?? '');
-    if (problem) {
-      target.reportValidity();
-      target.isEdited = true;  // what was typed stays, to be mended
-    } else if (wanted !== name) {
-      rename(wanted);
-    }
-  };
-  return h(
-      'div', {class: 'field', key: id},
-      h('div', {class: 'field-head'}, h('label', {class: 'field-label', 'for': id}, 'Name')),
-      h('div', {class: 'control'}, h('input', {
-          id,
-          type: 'text',
-          value: name,
-          disabled: why !== null,
-          spellcheck: 'false',
-          autocomplete: 'off',
-          'aria-describedby': `${id}-hint`,
-          onchange
-        })),
-      h('p', {class: 'hint', id: `${id}-hint`}, why ?? ''));
 }
 
 export function section(title, ...children) {

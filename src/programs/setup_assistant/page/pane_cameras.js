@@ -1,8 +1,10 @@
 import {cameraPath, formOf, framePath, orbitOfSettings, poseOn, roundedPose, shownPose, wayOf} from './camera_pose.js';
 import {distribution} from './distribution.js';
 import {h} from './dom.js';
-import {choiceField, fileField, flowField, more, numberField, problemList, renaming, section, segments, switchField, textField, vectorField} from './fields.js';
+import {choiceField, flowField, more, numberField, problemList, section, segments, switchField, textField, vectorField} from './fields.js';
 import {map} from './figure_map.js';
+import {fileField} from './file_fields.js';
+import {renaming} from './name_field.js';
 import {fileName, fixed} from './numbers.js';
 import {freeName} from './paths.js';
 import {matrixOfRpy, opticalOfBody, quaternionOfMatrix} from './pose_math.js';

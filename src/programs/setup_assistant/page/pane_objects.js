@@ -1,5 +1,7 @@
 import {h} from './dom.js';
-import {choiceField, fileField, flowField, more, numberField, problemList, renaming, section, textField, vectorField} from './fields.js';
+import {choiceField, flowField, more, numberField, problemList, section, textField, vectorField} from './fields.js';
+import {fileField} from './file_fields.js';
+import {renaming} from './name_field.js';
 import {fixed} from './numbers.js';
 import {freeName} from './paths.js';
 import {modelOf, portrait} from './portrait.js';

@@ -1,6 +1,7 @@
 import {checkButton} from './check_button.js';
 import {h} from './dom.js';
-import {choiceField, fileField, more, numberField, problemList, rounded, section} from './fields.js';
+import {choiceField, more, numberField, problemList, rounded, section} from './fields.js';
+import {fileField} from './file_fields.js';
 import {bytes, duration, grouped} from './numbers.js';
 import {problemsAt} from './problems.js';
 import {effective, own, set, store} from './store.js';

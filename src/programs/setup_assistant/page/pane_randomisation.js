@@ -1,6 +1,7 @@
 import {distribution} from './distribution.js';
 import {h} from './dom.js';
-import {choiceField, fileField, fileListField, flowField, numberField, section, textField, vectorField} from './fields.js';
+import {choiceField, flowField, numberField, section, textField, vectorField} from './fields.js';
+import {fileField, fileListField} from './file_fields.js';
 import {answer, askAgain, effective, objectNames, own, set} from './store.js';
 import {currentCamera} from './view_state.js';
 

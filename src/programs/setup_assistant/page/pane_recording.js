@@ -1,7 +1,8 @@
 import {h} from './dom.js';
-import {choiceField, fileListField, flowField, more, numberField, section, textField} from './fields.js';
+import {choiceField, flowField, more, numberField, section, textField} from './fields.js';
 import {map} from './figure_map.js';
 import {timeline} from './figure_timeline.js';
+import {fileListField} from './file_fields.js';
 import {greeting, greets} from './greeting.js';
 import {count, duration, fileName} from './numbers.js';
 import {chooseMotion, isPlaced, PLACEMENT_PATHS, placementFields, placementSummary} from './placement_fields.js';

@@ -1,6 +1,7 @@
 import {h} from './dom.js';
-import {choiceField, fileField, fileListField, more, numberField, section} from './fields.js';
+import {choiceField, more, numberField, section} from './fields.js';
 import {map} from './figure_map.js';
+import {fileField, fileListField} from './file_fields.js';
 import {count, fileName, fixed, grouped} from './numbers.js';
 import {answer, effective, objectNames, set} from './store.js';
 

@@ -1,6 +1,7 @@
 import {h} from './dom.js';
-import {choiceField, fileField, more, numberField, section, textField, vectorField} from './fields.js';
+import {choiceField, more, numberField, section, textField, vectorField} from './fields.js';
 import {map} from './figure_map.js';
+import {fileField} from './file_fields.js';
 import {count} from './numbers.js';
 import {answer, change, effective, set} from './store.js';
 
