@@ -19,8 +19,9 @@ namespace {
 using lidar::LidarModel;
 using lidar::LidarOptions;
 
-constexpr int kMostRings = 512;
-constexpr int kMostColumns = 65535;  // a point's column has 16 bits
+using lidar::kFarthestSeen;
+using lidar::kMostColumns;
+using lidar::kMostRings;
 
 /// A list of as many numbers as there are rings.
 std::vector<double> readOfRings(Parameters& group, const std::string& name, std::size_t rings,
@@ -93,6 +94,7 @@ void readAzimuth(Parameters& group, LidarModel& model) {
   model.last_azimuth = (*given)[1];
 }
 
+/// Where rays go, and what is known of the model beside; without what readChanges reads.
 LidarModel readModel(Parameters& group) {
   LidarModel model;
   std::vector<std::string> names = lidar::modelNames();
@@ -102,43 +104,60 @@ LidarModel readModel(Parameters& group) {
     model.first_azimuth = kHalfTurn;
     model.last_azimuth = -kHalfTurn;
     if (!group.has("beams")) {
-      group.addError("model", "missing, and so are beams; it should be one of " +
-                                  base::listed(names) + ", or beams should say where rays go");
+      group.addError("model", "missing, and so are beams and sensor; it should be one of " +
+                                  base::listed(names) +
+                                  ", or beams should say where rays go, or sensor name one of the "
+                                  "world's");
       model.elevations = {0.0};
     }
   }
   if (group.has("beams")) readBeams(group.group("beams"), model);
   if (model.elevations.empty()) model.elevations = {0.0};  // what is wrong is noted
-  constexpr double kFastest = 1000.0;                      // [Hz]
-  model.rate = group.maybeBetween("rate", 0.01, kFastest).value_or(model.rate);
   if (const auto columns = group.maybeBetween<int>("columns", 1, kMostColumns)) {
     model.columns = *columns;
     model.column_period.reset();
   }
   readAzimuth(group, model);
-  if (lidar::columnsOf(model) > kMostColumns) {
-    group.addError("rate", "found " + Value(model.rate).text() + " Hz, at which a sweep has " +
-                               std::to_string(lidar::columnsOf(model)) +
-                               " columns; it should have at most 65535");
-    model.rate = 10.0;
-  }
   return model;
 }
 
-void readRanges(Parameters& group, LidarModel& model) {
-  constexpr double kFarthestSeen = 1e5;  // [m]
-  model.min_range = group.maybeBetween("min_range", 0.0, kFarthestSeen).value_or(model.min_range);
-  if (group.has("max_range") || model.max_range <= model.min_range) {
-    model.max_range = numberAbove(group, "max_range", model.min_range + 100.0, model.min_range);
+/// @param model  of the lidar, or of any one where a sensor has its own
+lidar::LidarChanges readChanges(Parameters& group, const LidarModel& model) {
+  lidar::LidarChanges changes;
+  constexpr double kFastest = 1000.0;  // [Hz]
+  changes.rate = group.maybeBetween("rate", 0.01, kFastest);
+  changes.min_range = group.maybeBetween("min_range", 0.0, kFarthestSeen);
+  const double least = changes.min_range.value_or(model.min_range);
+  if (group.has("max_range") || model.max_range <= least) {
+    changes.max_range = numberAbove(group, "max_range", least + 100.0, least);
   }
   constexpr double kCoarsest = 10.0;  // [m]
-  model.resolution = group.maybeBetween("resolution", 0.0, kCoarsest).value_or(model.resolution);
-  model.noise = group.maybeBetween("noise", 0.0, kCoarsest).value_or(model.noise);
-  model.dropout = group.maybeBetween("dropout", 0.0, 1.0).value_or(model.dropout);
-  if (group.has("reach_at_tenth")) {
-    const auto reach = group.maybeBetween("reach_at_tenth", 0.0, kFarthestSeen);
-    model.reach_at_tenth = reach.value_or(0.0) > 0.0 ? reach : std::nullopt;
+  changes.resolution = group.maybeBetween("resolution", 0.0, kCoarsest);
+  changes.noise = group.maybeBetween("noise", 0.0, kCoarsest);
+  changes.dropout = group.maybeBetween("dropout", 0.0, 1.0);
+  changes.reach_at_tenth = group.maybeBetween("reach_at_tenth", 0.0, kFarthestSeen);
+  return changes;
+}
+
+/// The model that is set, or what is set beside that of a sensor.
+void readScanner(Parameters& group, LidarOptions& options) {
+  options.sensor = group.maybe<std::string>("sensor");
+  if (options.sensor) {
+    refuseWithout(group, {"model", "beams", "columns", "azimuth"}, "no sensor");
+    LidarModel endless;
+    endless.max_range = kFarthestSeen + 1.0;
+    options.changes = readChanges(group, endless);
+    return;
   }
+  options.model = readModel(group);
+  options.changes = readChanges(group, options.model);
+  options.changes.apply(options.model);
+  if (lidar::columnsOf(options.model) <= kMostColumns) return;
+  group.addError("rate", "found " + Value(options.model.rate).text() +
+                             " Hz, at which a sweep has " +
+                             std::to_string(lidar::columnsOf(options.model)) +
+                             " columns; it should have at most 65535");
+  options.model.rate = 10.0;
 }
 
 /// `pose: [x, y, z, qx, qy, qz, qw]` or `{position: [x, y, z], rpy: [roll, pitch, yaw]}`.
@@ -178,8 +197,7 @@ LidarOptions readLidar(Parameters group, const std::string& name) {
   options.frame = group.optional<std::string>("frame_id", name + "/lidar_link");
   options.on = group.maybe<std::string>("mounted_on");
   options.X_GS = readLidarPose(group);
-  options.model = readModel(group);
-  readRanges(group, options.model);
+  readScanner(group, options);
   return options;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,9 +29,6 @@ class FiringPlan {
   /// When a ring fires, as a share of the time from its column to the next one, 0 .. 1.
   [[nodiscard]] double share(int ring) const { return shares_[static_cast<std::size_t>(ring)]; }
 
-  /// Whether all rings fire when their column begins.
-  [[nodiscard]] bool firesAtOnce() const { return fires_at_once_; }
-
   /// Where a ray goes, in the scanner's frame as it stands then; length 1. The scanner turns on
   /// while a column's rings fire.
   [[nodiscard]] Eigen::Vector3d direction(int column, int ring) const;
@@ -40,11 +38,11 @@ class FiringPlan {
   Duration length_;
   double first_azimuth_;
   double azimuth_step_;
-  double steps_;  ///< columns from the sweep's begin to its end
-  std::vector<double> elevations_;
+  double steps_;                                   ///< columns from the sweep's begin to its end
+  std::vector<std::array<double, 2>> elevations_;  ///< cosine and sine of each ring's
+  std::vector<std::array<double, 2>> azimuths_;    ///< of each column's, where all rings have it
   std::vector<double> azimuth_offsets_;
   std::vector<double> shares_;
-  bool fires_at_once_ = true;
 };
 
 }  // namespace synthetic_dataset::lidar

@@ -122,6 +122,17 @@ std::vector<double> evenAngles(int count, double first, double last) {
   return angles;
 }
 
+void LidarChanges::apply(LidarModel& model) const {
+  model.rate = rate.value_or(model.rate);
+  model.min_range = min_range.value_or(model.min_range);
+  model.max_range = max_range.value_or(model.max_range);
+  model.resolution = resolution.value_or(model.resolution);
+  model.noise = noise.value_or(model.noise);
+  model.dropout = dropout.value_or(model.dropout);
+  if (!reach_at_tenth) return;
+  model.reach_at_tenth = *reach_at_tenth > 0.0 ? reach_at_tenth : std::nullopt;
+}
+
 std::vector<std::string> modelNames() {
   std::vector<std::string> names;
   for (const auto& [name, model] : models()) names.push_back(name);

@@ -38,8 +38,29 @@ struct LidarModel {
 /// A scanner as its maker's data sheet has it; nothing for another name.
 [[nodiscard]] std::optional<LidarModel> modelOf(const std::string& name);
 
+/// What is set of a scanner beside its model; none: as that has it.
+struct LidarChanges {
+  std::optional<double> rate;
+  std::optional<double> min_range;
+  std::optional<double> max_range;
+  std::optional<double> resolution;
+  std::optional<double> noise;
+  std::optional<double> dropout;
+  std::optional<double> reach_at_tenth;  ///< 0: it sees all
+
+  void apply(LidarModel& model) const;
+};
+
+/// The most rays of a column, and the most columns: a point's column has 16 bits.
+constexpr int kMostRings = 512;
+constexpr int kMostColumns = 65535;
+constexpr double kFarthestSeen = 1e5;  ///< [m]
+
 /// So many angles at the same distance from one another, the first and the last among them.
 [[nodiscard]] std::vector<double> evenAngles(int count, double first, double last);
+
+/// Whether the first column and the one after the last are one.
+[[nodiscard]] bool isWholeTurn(const LidarModel& model);
 
 /// The number of columns of a sweep.
 [[nodiscard]] int columnsOf(const LidarModel& model);
@@ -56,11 +77,13 @@ struct LidarModel {
 /// A scanner of the run.
 struct LidarOptions {
   std::string name;
-  std::string group;              ///< its parameters' full name, for messages
-  std::string frame;              ///< its own
-  std::optional<Pose> X_GS;       ///< where it stands; with `on`, in that object's frame
-  std::optional<std::string> on;  ///< the object that it is mounted on
-  LidarModel model;
+  std::string group;                  ///< its parameters' full name, for messages
+  std::string frame;                  ///< its own
+  std::optional<Pose> X_GS;           ///< where it stands; with `on`, in that object's frame
+  std::optional<std::string> on;      ///< the object that it is mounted on
+  std::optional<std::string> sensor;  ///< of the world, "model::link::sensor", that it is
+  LidarModel model;                   ///< of no sensor; with all changes
+  LidarChanges changes;
 };
 
 }  // namespace synthetic_dataset::lidar

@@ -1,8 +1,12 @@
 #include "lidar/lidar_rig.h"
 
+#include <algorithm>
+
 #include "base/name_list.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
+#include "synthetic_dataset/value.h"
+#include "world/sensor_lookup.h"
 
 namespace synthetic_dataset::lidar {
 namespace {
@@ -19,15 +23,63 @@ std::string carrierOf(const LidarOptions& config,
               didYouMean(*config.on, names));
 }
 
+/// A scanner as a world's file has it, turning once for each of its sweeps.
+LidarModel modelOf(const world::LidarSensor& sensor) {
+  LidarModel model;
+  model.elevations =
+      evenAngles(sensor.elevation.count, sensor.elevation.first, sensor.elevation.last);
+  model.columns = sensor.azimuth.count;
+  model.first_azimuth = sensor.azimuth.first;
+  model.last_azimuth = sensor.azimuth.last;
+  // Of a whole turn, Gazebo's first ray and its last are one.
+  if (isWholeTurn(model) && model.columns > 1) --model.columns;
+  model.rate = sensor.update_rate > 0.0 ? sensor.update_rate : model.rate;
+  model.min_range = sensor.min_range;
+  model.max_range = std::min(sensor.max_range, kFarthestSeen);
+  model.resolution = sensor.resolution;
+  model.noise = sensor.noise;
+  return model;
+}
+
+/// The model of a world's sensor, with what is set beside it.
+LidarModel modelOf(const world::LidarSensor& sensor, const LidarOptions& config) {
+  LidarModel model = modelOf(sensor);
+  config.changes.apply(model);
+  if (model.elevations.size() > kMostRings || model.columns > kMostColumns) {
+    throw Error(config.group + "/sensor: '" + sensor.name + "' has " +
+                std::to_string(sensor.elevation.count) + " rings of " +
+                std::to_string(model.columns) + " rays; there should be at most " +
+                std::to_string(kMostRings) + " of " + std::to_string(kMostColumns));
+  }
+  if (model.min_range < model.max_range) return model;
+  throw Error(config.group + "/min_range: found " + Value(model.min_range).text() +
+              "; the world's lidar '" + sensor.name + "' reaches " + Value(model.max_range).text() +
+              " m, so that nothing would be left");
+}
+
+/// Where a sensor is that no setting and no frame of its own puts anywhere.
+void mountAsInWorld(const LidarOptions& config, const world::LidarSensor& sensor,
+                    const std::vector<world::LinkInstance>& links, LidarRig& rig) {
+  rig.link = base::namingPlace(config.group + "/sensor",
+                               [&] { return world::movingLinkOf(sensor, "lidar", links); });
+  rig.X_FS = sensor.X_LS;
+  if (!rig.link) rig.X_GS = sensor.X_WS;
+}
+
 }  // namespace
 
-LidarRig makeLidarRig(const LidarOptions& config,
-                      const std::map<std::string, std::string>& object_frames,
-                      const motion::FrameSource& frames) {
+LidarRig makeLidarRig(const LidarOptions& config, const LidarSurroundings& there,
+                      const motion::FrameSource& frames, base::Diagnostics& diagnostics) {
   LidarRig rig{config.name, config.group, config.frame, config.model};
+  const world::LidarSensor* sensor = nullptr;
+  if (config.sensor) {
+    sensor = &world::findSensor(*config.sensor, there.sensors, config.group + "/sensor", "lidar",
+                                diagnostics);
+    rig.model = modelOf(*sensor, config);
+  }
   if (config.on) {
     rig.is_carried = true;
-    rig.followed = frames.find(carrierOf(config, object_frames)).value_or(motion::kNoFrame);
+    rig.followed = frames.find(carrierOf(config, there.object_frames)).value_or(motion::kNoFrame);
     rig.X_FS = config.X_GS.value_or(Pose::Identity());
     return rig;
   }
@@ -35,8 +87,12 @@ LidarRig makeLidarRig(const LidarOptions& config,
   if (rig.X_GS) return rig;
   rig.followed = frames.find(rig.frame).value_or(motion::kNoFrame);
   if (rig.followed != motion::kNoFrame) return rig;
+  if (sensor != nullptr) {
+    mountAsInWorld(config, *sensor, there.links, rig);
+    return rig;
+  }
   throw Error(config.group + ": nothing says where it is; " + config.group +
-              "/pose should, or mounted_on, or " + config.group +
+              "/pose should, or mounted_on or sensor, or " + config.group +
               "/frame_id should name a frame: " + frames.lacks(rig.frame));
 }
 
@@ -47,11 +103,12 @@ Pose lidarPose(const LidarRig& lidar, const motion::FrameSource& frames, Stamp i
   return (X_GF ? *X_GF : frames.knownPose(lidar.followed, instant)) * lidar.X_FS;
 }
 
-std::map<std::string, Pose> posesOf(const std::vector<LidarRig>& lidars,
+std::map<std::string, Pose> posesOf(const std::vector<LidarRig>& lidars, const world::World& world,
                                     const motion::FrameSource& frames, Stamp instant) {
   std::map<std::string, Pose> by_frame;
   for (const LidarRig& lidar : lidars) {
-    by_frame.emplace(lidar.frame, lidarPose(lidar, frames, instant));
+    by_frame.emplace(lidar.frame, lidar.link ? world.linkPoses()[*lidar.link] * lidar.X_FS
+                                             : lidarPose(lidar, frames, instant));
   }
   return by_frame;
 }

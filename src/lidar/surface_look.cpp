@@ -60,9 +60,11 @@ Eigen::Vector4f textureAt(const world::Mesh& mesh, const world::Material& materi
 /// Red, green, blue, linear, and alpha.
 Eigen::Vector4f colourAt(const world::Mesh& mesh, const world::Material& material,
                          const SurfacePlace& place) {
-  const Eigen::Vector4f texel = textureAt(mesh, material, material.texture, place);
-  Eigen::Vector4f colour =
-      render::linearFromSrgb(material.diffuse).cwiseProduct(render::linearFromSrgb(texel));
+  Eigen::Vector4f colour = render::linearFromSrgb(material.diffuse);
+  if (canLookUp(mesh, material.texture)) {
+    const Eigen::Vector4f texel = textureAt(mesh, material, material.texture, place);
+    colour = colour.cwiseProduct(render::linearFromSrgb(texel));
+  }
   if (!mesh.colours.empty()) {
     const Eigen::Vector4f own = between(mesh.colours, mesh, place);
     colour = colour.cwiseProduct(render::linearFromSrgb(own));
@@ -126,17 +128,16 @@ Eigen::Vector3d normalAt(const world::Mesh& mesh, const SurfacePlace& place,
   const std::uint32_t* corners = &mesh.indices[3 * place.triangle];
   const Eigen::Vector3d a = mesh.positions[corners[0]].cast<double>();
   Eigen::Vector3d flat = (mesh.positions[corners[1]].cast<double>() - a)
-                             .cross(mesh.positions[corners[2]].cast<double>() - a)
-                             .normalized();
+                             .cross(mesh.positions[corners[2]].cast<double>() - a);
   if (flat.dot(direction) > 0.0) flat = -flat;
   Eigen::Vector3d smooth = between(mesh.normals, mesh, place).cast<double>();
-  if (!(smooth.norm() > 0.0)) return flat;
+  if (!(smooth.norm() > 0.0)) return flat.normalized();
   smooth.normalize();
   if (smooth.dot(flat) < 0.0) smooth = -smooth;
   // By the silhouette of something round it may point a little away.
   const double away = std::max(smooth.dot(direction), 0.0);
   smooth = (smooth - away * direction).normalized();
-  return smooth.allFinite() ? smooth : flat;
+  return smooth.allFinite() ? smooth : flat.normalized();
 }
 
 double intensityAt(const world::Mesh& mesh, const world::Material& material,

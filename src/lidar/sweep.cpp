@@ -13,6 +13,8 @@
 namespace synthetic_dataset::lidar {
 namespace {
 
+using base::Placement;
+
 /// How far something may move while a column fires, for which it need not be looked at closely [m].
 constexpr double kColumnReach = 0.05;
 
@@ -35,6 +37,22 @@ struct Fan {
   Eigen::Vector3d axis_S{1, 0, 0};  ///< of column 0
   double half_angle = 0.0;
   bool is_narrow = false;  ///< else rays go everywhere
+};
+
+/// Where all is when a ray is sent.
+struct Instant {
+  struct Body {
+    const MovingBody* body = nullptr;
+    Eigen::Quaterniond R_LW;      ///< of its link
+    Eigen::Vector3d p_LS;         ///< the scanner, in its link
+    Eigen::Vector3d to_centre_W;  ///< from the scanner to the middle of its sphere
+  };
+
+  double share = -1.0;  ///< of the column's time; rings that fire together have it in common
+  double time = 0.0;    ///< from the stamp [ns]
+  Placement X_GS;
+  Pose X_GS_pose = Pose::Identity();
+  std::vector<Body> near;  ///< the bodies that rays may meet
 };
 
 /// One ray on its way.
@@ -67,10 +85,14 @@ class Sweeper {
   /// The points of columns from `begin` on, before `end`.
   [[nodiscard]] std::vector<CloudPoint> scan(int begin, int end) const {
     std::vector<CloudPoint> points;
+    points.reserve(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(plan_.rings()));
+    Instant instant;
     for (int column = begin; column < end; ++column) {
       const std::vector<std::size_t> near = bodiesNear(column);
+      instant.share = -1.0;
       for (int ring = 0; ring < plan_.rings(); ++ring) {
-        if (auto point = cast(column, ring, near)) points.push_back(*point);
+        if (plan_.share(ring) != instant.share) find(column, plan_.share(ring), near, instant);
+        if (auto point = cast(column, ring, instant)) points.push_back(*point);
       }
     }
     return points;
@@ -79,7 +101,7 @@ class Sweeper {
  private:
   [[nodiscard]] Placement scannerAt(int column, double share) const {
     const auto at = static_cast<std::size_t>(column);
-    return between(motion_.X_GS[at], motion_.X_GS[at + 1], share);
+    return base::between(motion_.X_GS[at], motion_.X_GS[at + 1], share);
   }
 
   [[nodiscard]] double timeOf(int column, double share) const {
@@ -90,17 +112,24 @@ class Sweeper {
 
   /// Where a moving body is. @param time  from the stamp [ns]
   [[nodiscard]] Placement bodyAt(std::size_t moving, double time) const {
-    const std::vector<WorldMoment>& moments = motion_.moments;
-    const auto after =
-        std::upper_bound(moments.begin(), moments.end(), time, [](double t, const auto& moment) {
-          return t < static_cast<double>(moment.offset.count());
-        });
-    if (after == moments.begin()) return moments.front().X_WL[moving];
-    if (after == moments.end()) return moments.back().X_WL[moving];
-    const auto before = std::prev(after);
-    const auto from = static_cast<double>(before->offset.count());
-    const auto to = static_cast<double>(after->offset.count());
-    return between(before->X_WL[moving], after->X_WL[moving], (time - from) / (to - from));
+    return placementAt(motion_.moments, &WorldMoment::X_WL, moving, time);
+  }
+
+  /// Where all is at a share of a column's time.
+  void find(int column, double share, const std::vector<std::size_t>& near,
+            Instant& instant) const {
+    instant.share = share;
+    instant.time = timeOf(column, share);
+    instant.X_GS = scannerAt(column, share);
+    instant.X_GS_pose = instant.X_GS.pose();
+    instant.near.clear();
+    for (const std::size_t i : near) {
+      const MovingBody& body = world_.moving()[i];
+      const Placement X_WL = bodyAt(i, instant.time);
+      const Eigen::Vector3d from = instant.X_GS.position - X_WL.position;
+      const Eigen::Quaterniond R_LW(X_WL.turn.conjugate());
+      instant.near.push_back({&body, R_LW, R_LW * from, X_WL.turn * body.centre_L - from});
+    }
   }
 
   /// The moving bodies that rays of a column may meet.
@@ -130,8 +159,7 @@ class Sweeper {
     return near;
   }
 
-  [[nodiscard]] std::optional<Met> meet(const Ray& ray, double time,
-                                        const std::vector<std::size_t>& near) const {
+  [[nodiscard]] std::optional<Met> meet(const Ray& ray, const Instant& instant) const {
     std::optional<Met> met;
     double far = model_.max_range;
     if (world_.standing()) {
@@ -141,32 +169,24 @@ class Sweeper {
       if (hit) met = Met{*hit};
       if (hit) far = hit->distance;
     }
-    for (const std::size_t i : near) {
-      const MovingBody& body = world_.moving()[i];
-      const Placement X_WL = bodyAt(i, time);
-      const Eigen::Vector3d from = ray.origin_W - X_WL.position;
-      const Eigen::Vector3d to_centre = X_WL.turn * body.centre_L - from;
-      const double along = to_centre.dot(ray.direction_W);
-      const double off_squared = to_centre.squaredNorm() - along * along;
-      if (off_squared > body.radius * body.radius) continue;
-      const auto back = X_WL.turn.conjugate();
-      const auto hit = world_.bodies().meet(body.body, back * from, back * ray.direction_W,
+    for (const auto& [body, R_LW, p_LS, to_centre_W] : instant.near) {
+      const double along = to_centre_W.dot(ray.direction_W);
+      const double off_squared = to_centre_W.squaredNorm() - along * along;
+      if (off_squared > body->radius * body->radius) continue;
+      const auto hit = world_.bodies().meet(body->body, p_LS, R_LW * ray.direction_W,
                                             model_.min_range, far, paint_);
       if (!hit || hit->distance >= far) continue;
-      met = Met{*hit, X_WL.turn.toRotationMatrix()};
+      met = Met{*hit, R_LW.conjugate().toRotationMatrix()};
       far = hit->distance;
     }
     return met;
   }
 
-  [[nodiscard]] std::optional<CloudPoint> cast(int column, int ring,
-                                               const std::vector<std::size_t>& near) const {
-    const double share = plan_.share(ring);
-    const double time = timeOf(column, share);
-    const Placement X_GS = scannerAt(column, share);
+  [[nodiscard]] std::optional<CloudPoint> cast(int column, int ring, const Instant& instant) const {
+    const Placement& X_GS = instant.X_GS;
     const Eigen::Vector3d direction_S = plan_.direction(column, ring);
     const Ray ray{X_GS.position, X_GS.turn * direction_S};
-    const auto met = meet(ray, time, near);
+    const auto met = meet(ray, instant);
     if (!met || met->hit.distance > model_.max_range || met->hit.distance < model_.min_range) {
       return std::nullopt;
     }
@@ -186,10 +206,10 @@ class Sweeper {
 
     CloudPoint point;
     point.position_S = position_S.cast<float>();
-    point.position_at_stamp_S = (X_SG_at_stamp_ * (X_GS.pose() * position_S)).cast<float>();
+    point.position_at_stamp_S = (X_SG_at_stamp_ * (instant.X_GS_pose * position_S)).cast<float>();
     point.normal_S = (X_GS.turn.conjugate() * normal_W).cast<float>();
     point.intensity = static_cast<float>(intensity);
-    point.time = static_cast<std::int32_t>(std::llround(time));
+    point.time = static_cast<std::int32_t>(std::llround(instant.time));
     point.column = static_cast<std::uint16_t>(column);
     point.ring = static_cast<std::uint16_t>(ring);
     const LinkLabel& label = labels_[surface.link];
@@ -239,6 +259,20 @@ class Sweeper {
 };
 
 }  // namespace
+
+Placement placementAt(const std::vector<WorldMoment>& moments,
+                      std::vector<Placement> WorldMoment::*poses, std::size_t index, double time) {
+  const auto after = std::upper_bound(
+      moments.begin(), moments.end(), time,
+      [](double t, const auto& moment) { return t < static_cast<double>(moment.offset.count()); });
+  if (after == moments.begin()) return (moments.front().*poses)[index];
+  if (after == moments.end()) return (moments.back().*poses)[index];
+  const auto before = std::prev(after);
+  const auto from = static_cast<double>(before->offset.count());
+  const auto to = static_cast<double>(after->offset.count());
+  return base::between(((*before).*poses)[index], ((*after).*poses)[index],
+                       (time - from) / (to - from));
+}
 
 Cloud sweep(const ScannedWorld& world, const LidarModel& model, const FiringPlan& plan,
             const SweepMotion& motion, const std::vector<LinkLabel>& labels, const Paint& paint,

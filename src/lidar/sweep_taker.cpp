@@ -9,6 +9,8 @@
 namespace synthetic_dataset::lidar {
 namespace {
 
+using base::Placement;
+
 /// From one look at the world to the next: what moves at 10 m/s gets 5 mm ahead, and what changes
 /// its speed by 1 m/s in between is at most an eighth of a millimetre from where it is taken to be.
 constexpr Duration kLookPeriod = std::chrono::microseconds(500);
@@ -58,7 +60,9 @@ SweepTaker::SweepTaker(const world::World& world, const motion::FrameSource& fra
       object_count_ = std::max(object_count_, static_cast<std::size_t>(link.object) + 1);
     }
   }
-  if (scanned_->moving().empty()) return;
+  const bool rides = std::any_of(lidars_.begin(), lidars_.end(),
+                                 [](const LidarRig& lidar) { return lidar.link.has_value(); });
+  if (scanned_->moving().empty() && !rides) return;
   for (Duration offset = kLookPeriod; offset < half; offset += kLookPeriod) {
     offsets_.push_back(offset);
     offsets_.push_back(-offset);
@@ -75,15 +79,16 @@ void SweepTaker::look(Duration offset) {
   for (const MovingBody& body : scanned_->moving()) {
     moment.X_WL.emplace_back(world_.linkPoses()[body.link]);
   }
+  for (const LidarRig& lidar : lidars_) {
+    moment.X_WS.emplace_back(lidar.link ? world_.linkPoses()[*lidar.link] * lidar.X_FS
+                                        : Pose::Identity());
+  }
 }
 
-std::vector<Placement> SweepTaker::columnPoses(std::size_t lidar, Stamp stamp) const {
-  const FiringPlan& plan = plans_[lidar];
-  std::vector<Placement> poses;
-  for (int column = 0; column <= plan.columns(); ++column) {
-    poses.emplace_back(lidarPose(lidars_[lidar], frames_, stamp, plan.columnTime(column)));
-  }
-  return poses;
+Placement SweepTaker::lidarAt(std::size_t lidar, const std::vector<WorldMoment>& moments,
+                              Stamp stamp, Duration offset) const {
+  if (!lidars_[lidar].link) return Placement(lidarPose(lidars_[lidar], frames_, stamp, offset));
+  return placementAt(moments, &WorldMoment::X_WS, lidar, static_cast<double>(offset.count()));
 }
 
 PendingClouds SweepTaker::take(std::int64_t instant, Stamp stamp,
@@ -91,10 +96,14 @@ PendingClouds SweepTaker::take(std::int64_t instant, Stamp stamp,
   const auto pending = std::make_shared<std::vector<PendingSweep>>();
   const std::vector<WorldMoment> moments = std::exchange(moments_, {});
   for (std::size_t i = 0; i < lidars_.size(); ++i) {
+    std::vector<Placement> X_GS;
+    for (int column = 0; column <= plans_[i].columns(); ++column) {
+      X_GS.push_back(lidarAt(i, moments, stamp, plans_[i].columnTime(column)));
+    }
     pending->push_back({lidars_[i].model,
                         plans_[i],
-                        {moments, world_.presentLinks(), columnPoses(i, stamp),
-                         lidarPose(lidars_[i], frames_, stamp)},
+                        {moments, world_.presentLinks(), std::move(X_GS),
+                         lidarAt(i, moments, stamp, Duration{0}).pose()},
                         base::randomSeed(seed_, instant, "lidar " + lidars_[i].name)});
   }
   const auto held = std::make_shared<HeldPaint>();

@@ -47,7 +47,8 @@ class SweepTaker {
       const std::map<const world::Material*, world::Material>& materials);
 
  private:
-  [[nodiscard]] std::vector<Placement> columnPoses(std::size_t lidar, Stamp stamp) const;
+  [[nodiscard]] base::Placement lidarAt(std::size_t lidar, const std::vector<WorldMoment>& moments,
+                                        Stamp stamp, Duration offset) const;
 
   const world::World& world_;
   const motion::FrameSource& frames_;

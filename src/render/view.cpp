@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <Eigen/Geometry>
+#include "base/placement.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -24,10 +24,7 @@ Between around(double row, const std::vector<RollingMoment>& moments) {
 
 Pose between(const Pose& before, const Pose& after, double share) {
   if (before.matrix() == after.matrix()) return before;
-  const Eigen::Quaterniond turned =
-      Eigen::Quaterniond(before.linear()).slerp(share, Eigen::Quaterniond(after.linear()));
-  return makePose(before.translation() + share * (after.translation() - before.translation()),
-                  turned);
+  return base::between(base::Placement(before), base::Placement(after), share).pose();
 }
 
 }  // namespace

@@ -244,7 +244,8 @@ MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, 
                                       scene::CameraPoses& poses,
                                       const std::vector<std::optional<Pose>>& X_GO) {
   std::map<std::string, Pose> X_GF;
-  if (!motion_.lidars.empty()) X_GF = lidar::posesOf(motion_.lidars, *motion_.frames, stamp);
+  if (!motion_.lidars.empty())
+    X_GF = lidar::posesOf(motion_.lidars, *motion_.world, *motion_.frames, stamp);
   DrawnScene scene{row_recorder_.follows(camera)
                        ? scene_maker_.begin(camera, instant, stamp, poses, X_GO, X_GF)
                        : scene_maker_.look(camera, instant, stamp, poses, X_GO, X_GF),

@@ -15,52 +15,12 @@
 #include "synthetic_dataset/nearest_name.h"
 #include "synthetic_dataset/value.h"
 #include "world/camera_frames.h"
+#include "world/sensor_lookup.h"
 
 namespace synthetic_dataset::scene {
 namespace {
 
-/// The last part of a scoped name.
-std::string lastOf(const std::string& name) {
-  const std::size_t scope = name.rfind("::");
-  return scope == std::string::npos ? name : name.substr(scope + 2);
-}
-
-/// The one camera of the named model that ends as the name does: Gazebo calls a camera on a link
-/// that a fixed joint holds by the link that carries it, and gazebo_ros one of a multicamera
-/// without its sensor. Null where there is none, or several.
-const world::CameraSensor* findAlike(const std::string& name,
-                                     const std::vector<world::CameraSensor>& sensors) {
-  const world::CameraSensor* alike = nullptr;
-  for (const world::CameraSensor& camera : sensors) {
-    const bool is_alike =
-        camera.model() == name.substr(0, name.find("::")) && lastOf(camera.name) == lastOf(name);
-    if (is_alike && alike != nullptr) return nullptr;
-    if (is_alike) alike = &camera;
-  }
-  return alike;
-}
-
-const world::CameraSensor* findSensor(const CameraOptions& config,
-                                      const std::vector<world::CameraSensor>& sensors,
-                                      base::Diagnostics& diagnostics) {
-  if (!config.sensor) return nullptr;
-  const auto found = std::find_if(
-      sensors.begin(), sensors.end(),
-      [&](const world::CameraSensor& camera) { return camera.name == *config.sensor; });
-  if (found != sensors.end()) return &*found;
-  if (const world::CameraSensor* alike = findAlike(*config.sensor, sensors)) {
-    diagnostics.note(config.group + "/sensor",
-                     "'" + *config.sensor + "' is taken for '" + alike->name + "'");
-    return alike;
-  }
-  std::string there;
-  for (const world::CameraSensor& camera : sensors) {
-    there += (there.empty() ? "" : ", ") + camera.name;
-  }
-  throw Error(config.group + "/sensor: neither the world nor an object has a camera '" +
-              *config.sensor + "' (model::link::sensor); there " +
-              (there.empty() ? "is none" : "are " + there));
-}
+constexpr const char* kKind = "camera";  // of sensors, in messages
 
 CalibrationUse useOf(const CameraOptions& config) {
   return {config.rectified, config.near.value(), config.far.value()};
@@ -111,32 +71,6 @@ CameraModel modelOf(const world::CameraSensor& sensor, const CameraOptions& conf
               " m, so that nothing would be left");
 }
 
-/// @throws Error for a camera on a link of an object that comes in several variants
-void refuseVarying(const std::string& name, const world::LinkInstance& carrier,
-                   const std::vector<world::LinkInstance>& links) {
-  const bool varies = std::any_of(links.begin(), links.end(), [&](const world::LinkInstance& link) {
-    return link.object == carrier.object && link.variant > 0;
-  });
-  if (!varies || carrier.role != world::Role::kObject) return;
-  throw Error(
-      "found '" + name + "', a camera on '" + carrier.model +
-      "', whose model, size or variant is drawn in randomize/objects; it should be on something "
-      "that is always the same, or be put there by mounted_on");
-}
-
-/// The link that carries a sensor, if it is one that moves.
-std::optional<std::size_t> movingLinkOf(const world::CameraSensor& sensor,
-                                        const std::vector<world::LinkInstance>& links) {
-  const auto carries = [&](const world::LinkInstance& link) {
-    return link.role != world::Role::kStatic && link.model == sensor.model() &&
-           link.link->name == sensor.link;
-  };
-  const auto found = std::find_if(links.begin(), links.end(), carries);
-  if (found == links.end()) return std::nullopt;
-  refuseVarying(sensor.name, *found, links);
-  return static_cast<std::size_t>(found - links.begin());
-}
-
 /// The link of an object's model that a frame's name means: one that hangs on the object by joints,
 /// where the recording has no such frame.
 /// @throws Error where several objects have one
@@ -151,7 +85,7 @@ std::optional<std::size_t> linkOfFrame(const std::string& frame,
     if (object.takes_part && isFrameOfLink(frame, link.link->name, object)) found.push_back(i);
   }
   if (found.empty()) return std::nullopt;
-  refuseVarying(frame, links[found.front()], links);
+  world::refuseVarying(frame, kKind, links[found.front()], links);
   if (found.size() == 1) return found.front();
   std::vector<std::string> names;
   for (const std::size_t i : found) names.push_back(links[i].model + "/" + links[i].link->name);
@@ -241,8 +175,8 @@ void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
   rig.followed = frames.find(rig.frame).value_or(motion::kNoFrame);
   if (rig.X_GC || rig.followed != motion::kNoFrame) return;
   if (sensor != nullptr) {
-    rig.link =
-        base::namingPlace(config.group + "/sensor", [&] { return movingLinkOf(*sensor, links); });
+    rig.link = base::namingPlace(config.group + "/sensor",
+                                 [&] { return world::movingLinkOf(*sensor, kKind, links); });
     rig.X_LC = sensor->X_LC;
     if (!rig.link) rig.X_GC = sensor->X_WC;
     return;
@@ -302,7 +236,10 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
                         const std::vector<world::LinkInstance>& links,
                         const std::vector<ObjectOptions>& objects,
                         const motion::FrameSource& frames, base::Diagnostics& diagnostics) {
-  const world::CameraSensor* sensor = findSensor(config, sensors, diagnostics);
+  const world::CameraSensor* sensor =
+      config.sensor ? &world::findSensor(*config.sensor, sensors, config.group + "/sensor", kKind,
+                                         diagnostics)
+                    : nullptr;
   const CalibratedCamera camera = calibrationOf(config, bag_files, sensor);
   for (const std::string& warning : camera.warnings) {
     diagnostics.warning(config.group + (config.info_topic ? "/info_topic" : "/info_file"), warning);

@@ -201,6 +201,31 @@ struct CameraSensor {
   [[nodiscard]] std::string model() const { return name.substr(0, name.find("::")); }
 };
 
+/// Rays at even angles, the first and the last among them.
+struct RayScan {
+  int count = 1;
+  double first = 0.0;  ///< [rad]
+  double last = 0.0;   ///< [rad]
+};
+
+/// A scanner that the world describes (`<sensor type="ray">` and its kin), as its file has it.
+struct LidarSensor {
+  std::string name;              ///< "model::link::sensor", as Gazebo scopes it
+  Pose X_WS = Pose::Identity();  ///< x ahead, y left, z up
+  std::string link;              ///< of its model, scoped as Link::name
+  Pose X_LS = Pose::Identity();  ///< in its link, which may move
+  RayScan azimuth;               ///< from x to y
+  RayScan elevation;             ///< above the x-y plane
+  double min_range = 0.0;        ///< [m]
+  double max_range = 0.0;        ///< [m], may be infinite
+  double resolution = 0.0;       ///< measured ranges are multiples of it [m]; 0: exact
+  double noise = 0.0;            ///< standard deviation of measured ranges [m]
+  double update_rate = 0.0;      ///< sweeps in a second [Hz]; 0: the file does not say
+
+  /// The name of its model.
+  [[nodiscard]] std::string model() const { return name.substr(0, name.find("::")); }
+};
+
 enum class FogType { kLinear, kExponential, kSquaredExponential };
 
 /// Fog by distance from the camera: linear between start and end, or 1 - exp(-density d), or
@@ -228,6 +253,7 @@ struct Description {
   std::vector<Model> models;
   std::vector<Light> lights;
   std::vector<CameraSensor> cameras;
+  std::vector<LidarSensor> lidars;
   Simulator simulator = Simulator::kClassic;     ///< that the world was written for
   Eigen::Vector3f ambient{0.4F, 0.4F, 0.4F};     ///< sRGB-encoded
   Eigen::Vector3f background{0.7F, 0.7F, 0.7F};  ///< sRGB-encoded

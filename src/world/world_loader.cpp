@@ -76,6 +76,7 @@ Description describeUrdf(const SdfFile& file, SdfReading& reading) {
   UrdfModel robot = readUrdfModel(file, reading);
   description.models.push_back(std::move(robot.model));
   description.cameras = std::move(robot.cameras);
+  description.lidars = std::move(robot.lidars);
   return description;
 }
 
@@ -184,10 +185,14 @@ Model WorldLoader::loadModel(const std::string& model_or_uri, const std::string&
   Model model = std::move(description.models.front());
   model.name = name;
   for (const std::string& note : description.notes) model_notes_.push_back(name + ": " + note);
-  for (CameraSensor& camera : description.cameras) {
-    camera.name = name + camera.name.substr(camera.name.find("::"));
-    model_cameras_.push_back(std::move(camera));
-  }
+  const auto keep = [&name](auto& sensors, auto& all) {
+    for (auto& sensor : sensors) {
+      sensor.name = name + sensor.name.substr(sensor.name.find("::"));
+      all.push_back(std::move(sensor));
+    }
+  };
+  keep(description.cameras, model_cameras_);
+  keep(description.lidars, model_lidars_);
   return model;
 }
 

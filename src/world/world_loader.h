@@ -57,6 +57,9 @@ class WorldLoader {
   /// The cameras of the models that loadModel has read, named by the models' new names.
   [[nodiscard]] const std::vector<CameraSensor>& modelCameras() const { return model_cameras_; }
 
+  /// Their lidars, likewise.
+  [[nodiscard]] const std::vector<LidarSensor>& modelLidars() const { return model_lidars_; }
+
  private:
   struct Caches;
 
@@ -70,6 +73,7 @@ class WorldLoader {
   std::unique_ptr<Caches> caches_;
   std::vector<std::string> model_notes_;
   std::vector<CameraSensor> model_cameras_;
+  std::vector<LidarSensor> model_lidars_;
 };
 
 /// WorldLoader::loadWorld of a loader for this once.

@@ -74,8 +74,23 @@ TEST_F(LidarConfig, NamesWhatIsWrong) {
 
 TEST_F(LidarConfig, AsksForAModelOrBeams) {
   (void)read({});
-  EXPECT_THAT(errors_, ElementsAre(AllOf(HasSubstr("lidars/top/model: missing, and so are beams"),
-                                         HasSubstr("UTM-30LX"))));
+  EXPECT_THAT(errors_,
+              ElementsAre(AllOf(HasSubstr("lidars/top/model: missing, and so are beams and sensor"),
+                                HasSubstr("UTM-30LX"))));
+}
+
+TEST_F(LidarConfig, TakesASensorOfTheWorldAndWhatIsSetBesideIt) {
+  const lidar::LidarOptions top = read({{"sensor", "mast::link::scan"}, {"noise", 0.02}});
+  EXPECT_THAT(errors_, IsEmpty());
+  EXPECT_EQ(top.sensor, "mast::link::scan");
+  EXPECT_EQ(top.changes.noise, 0.02);
+  EXPECT_FALSE(top.changes.max_range);
+}
+
+TEST_F(LidarConfig, RefusesRaysBesideThoseOfASensor) {
+  (void)read({{"sensor", "mast::link::scan"}, {"model", "VLP-16"}, {"columns", 7}});
+  EXPECT_THAT(errors_, ElementsAre(HasSubstr("lidars/top/model: has a meaning with no sensor"),
+                                   HasSubstr("lidars/top/columns")));
 }
 
 TEST_F(LidarConfig, RefusesTheFrameOfACamera) {

@@ -34,7 +34,6 @@ TEST(FiringPlan, FiresLowerAndUpperLasersInTurns) {
   EXPECT_NEAR(plan.share(8) * period, 2.304e-6, 1e-9);
   EXPECT_NEAR(plan.share(1) * period, 4.608e-6, 1e-9);
   EXPECT_NEAR(plan.share(15) * period, 15 * 2.304e-6, 1e-9);
-  EXPECT_FALSE(plan.firesAtOnce());
 }
 
 TEST(FiringPlan, HasBothEndsOfLessThanATurn) {

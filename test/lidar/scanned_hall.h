@@ -142,7 +142,8 @@ inline lidar::LidarRig scannerOf(const lidar::LidarModel& model,
   options.group = "lidars/top";
   options.frame = "scanner";
   options.model = model;
-  return lidar::makeLidarRig(options, {}, frames);
+  base::Diagnostics notes;
+  return lidar::makeLidarRig(options, {}, frames, notes);
 }
 
 /// The cloud of a scanner around a time, the hall moving meanwhile.

@@ -128,6 +128,10 @@ std::string worldText(const world::Description& description) {
     out << "camera " << camera.name << ": " << camera.camera.width() << " x "
         << camera.camera.height() << " (camera/sensor)\n";
   }
+  for (const world::LidarSensor& lidar : description.lidars) {
+    out << "lidar " << lidar.name << ": " << lidar.elevation.count << " x " << lidar.azimuth.count
+        << " (lidars/NAME/sensor)\n";
+  }
   for (const std::string& note : description.notes) out << "note: " << note << '\n';
   return out.str();
 }
@@ -149,12 +153,19 @@ Value worldValue(const world::Description& description) {
                                     {"width", Value(camera.camera.width())},
                                     {"height", Value(camera.camera.height())}});
   }
+  Value::List lidars;
+  for (const world::LidarSensor& lidar : description.lidars) {
+    lidars.emplace_back(Value::Map{{"name", Value(lidar.name)},
+                                   {"rings", Value(lidar.elevation.count)},
+                                   {"columns", Value(lidar.azimuth.count)}});
+  }
   Value::List notes;
   for (const std::string& note : description.notes) notes.emplace_back(note);
   return Value(Value::Map{{"kind", Value("world")},
                           {"models", Value(models)},
                           {"lights", Value(lights)},
                           {"cameras", Value(cameras)},
+                          {"lidars", Value(lidars)},
                           {"notes", Value(notes)}});
 }
 

@@ -158,6 +158,7 @@ class MotionBuilder {
         setUpWorld(config(), setup_.variants, setup_.frames.get(),
                    inputs_.worlds.filesFor(config().world), diagnostics(), on_stage_);
     sensors_ = std::move(world.sensors);
+    around_lidars_.sensors = std::move(world.lidars);
     setup_.driven_links = std::move(world.driven_links);
     setup_.inputs = std::move(world.inputs);
     setup_.included = std::move(world.included);
@@ -240,13 +241,15 @@ class MotionBuilder {
 
   void setUpLidars() {
     if (!setup_.frames) return;
-    std::map<std::string, std::string> object_frames;
     for (const scene::ObjectOptions& object : config().objects) {
-      if (object.takes_part) object_frames.emplace(object.name, object.frame);
+      if (object.takes_part) around_lidars_.object_frames.emplace(object.name, object.frame);
     }
+    if (setup_.world) around_lidars_.links = setup_.world->links();
     for (const lidar::LidarOptions& lidar : config().lidars) {
-      auto rig = diagnostics().attempt(
-          [&] { return lidar::makeLidarRig(lidar, object_frames, *setup_.frames); });
+      if (lidar.sensor && !setup_.world) continue;  // reported already
+      auto rig = diagnostics().attempt([&] {
+        return lidar::makeLidarRig(lidar, around_lidars_, *setup_.frames, diagnostics());
+      });
       if (!rig) continue;
       checkSweep(*rig);
       setup_.lidars.push_back(std::move(*rig));
@@ -465,6 +468,7 @@ class MotionBuilder {
   const base::OnStage& on_stage_;
   MotionSetup setup_;
   std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
+  lidar::LidarSurroundings around_lidars_;
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ std::vector<std::string> neededFrames(const config::Config& config) {
     if (camera.on && objects.count(*camera.on) == 0) frames.push_back(*camera.on);
   }
   for (const lidar::LidarOptions& lidar : config.lidars) {
-    if (!lidar.X_GS && !lidar.on) frames.push_back(lidar.frame);
+    if (!lidar.X_GS && !lidar.on && !lidar.sensor) frames.push_back(lidar.frame);
   }
   return frames;
 }

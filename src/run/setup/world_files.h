@@ -62,6 +62,11 @@ class WorldFiles {
     return loader_.modelCameras();
   }
 
+  /// Their lidars.
+  [[nodiscard]] const std::vector<world::LidarSensor>& modelLidars() const {
+    return loader_.modelLidars();
+  }
+
   /// Files that were named so far and may not be: there is no dataset of such a world.
   [[nodiscard]] std::vector<std::string> refusals() const {
     return {finder_.refusals().begin(), finder_.refusals().end()};

@@ -78,6 +78,7 @@ class WorldBuilder {
     model_names_ = modelNames(*description);
     addRoom(*description);
     setup_.sensors = description->cameras;
+    setup_.lidars = description->lidars;
     simulator_ = description->simulator;
     on_stage_("reading the objects' models");
     for (std::size_t i = 0; i < config_.objects.size(); ++i) {
@@ -94,6 +95,8 @@ class WorldBuilder {
     for (const auto& file : files_.included()) setup_.included.insert(file.string());
     const std::vector<world::CameraSensor>& on_objects = files_.modelCameras();
     setup_.sensors->insert(setup_.sensors->end(), on_objects.begin(), on_objects.end());
+    const std::vector<world::LidarSensor>& lidars = files_.modelLidars();
+    setup_.lidars.insert(setup_.lidars.end(), lidars.begin(), lidars.end());
     if (!distractors || lacks_objects_) return std::move(setup_);
     on_stage_("making the world's bodies");
     auto world = diagnostics_.attempt([&] {

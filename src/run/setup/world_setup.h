@@ -30,6 +30,7 @@ struct WorldSetup {
 
   /// The sensors of the world and of the objects' models; nothing where the world cannot be read.
   std::optional<std::vector<world::CameraSensor>> sensors;
+  std::vector<world::LidarSensor> lidars;
 
   std::set<std::string> inputs;    ///< the files that were found by what names them
   std::set<std::string> included;  ///< others that were read: models' descriptions, ...

@@ -13,6 +13,7 @@
 #include "world/sdf/sdf_cameras.h"
 #include "world/sdf/sdf_collisions.h"
 #include "world/sdf/sdf_joints.h"
+#include "world/sdf/sdf_lidars.h"
 #include "world/sdf/sdf_lights.h"
 #include "world/sdf/sdf_reading.h"
 #include "world/sdf/sdf_values.h"
@@ -152,10 +153,15 @@ class ModelReader {
     }
     for (const Element& sensor : from.children("sensor")) {
       const SourceLocation here = locationOf(sensor, location);
-      for (CameraSensor& camera : readCameras(sensor, scope + sensor.attribute("name"), X_WL,
-                                              poseIn(context, sensor, here), here, reading_)) {
+      const std::string name = scope + sensor.attribute("name");
+      const Pose X_LS = poseIn(context, sensor, here);
+      for (CameraSensor& camera : readCameras(sensor, name, X_WL, X_LS, here, reading_)) {
         camera.link = context.link.name;
         contents.cameras.push_back(std::move(camera));
+      }
+      if (auto lidar = readLidar(sensor, name, X_WL, X_LS, here, reading_)) {
+        lidar->link = context.link.name;
+        contents.lidars.push_back(std::move(*lidar));
       }
     }
   }
@@ -192,15 +198,23 @@ class ModelReader {
     const auto isAdded = [&](const std::string& name) {
       return [name](const Link& link) { return link.name == name; };
     };
-    for (CameraSensor camera : urdf.cameras) {
-      camera.link = prefix + camera.link;
+    // Gives a sensor its new names.
+    const auto carrierOf = [&](auto& sensor) -> Pose {
+      sensor.link = prefix + sensor.link;
+      sensor.name =
+          contents.model.name + "::" + prefix + sensor.name.substr(sensor.name.find("::") + 2);
       const std::vector<Link>& links = contents.model.links;
       const auto carrier = std::find_if(links.begin() + static_cast<std::ptrdiff_t>(first),
-                                        links.end(), isAdded(camera.link));
-      camera.name =
-          contents.model.name + "::" + prefix + camera.name.substr(camera.name.find("::") + 2);
-      camera.X_WC = contents.model.X_WM * carrier->X_ML * camera.X_LC;
+                                        links.end(), isAdded(sensor.link));
+      return contents.model.X_WM * carrier->X_ML;
+    };
+    for (CameraSensor camera : urdf.cameras) {
+      camera.X_WC = carrierOf(camera) * camera.X_LC;
       contents.cameras.push_back(std::move(camera));
+    }
+    for (LidarSensor lidar : urdf.lidars) {
+      lidar.X_WS = carrierOf(lidar) * lidar.X_LS;
+      contents.lidars.push_back(std::move(lidar));
     }
   }
 

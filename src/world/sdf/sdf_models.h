@@ -13,10 +13,11 @@ struct ModelContents {
   Model model;
   std::vector<Light> lights;
   std::vector<CameraSensor> cameras;
+  std::vector<LidarSensor> lidars;
 };
 
 /// Reads a model whose frames are filled; links of nested models become its own, "child::link".
-/// Lights and cameras are placed in the world by the model's pose.
+/// Lights and sensors are placed in the world by the model's pose.
 /// @param saved  what a saved world's state says of it, or null
 [[nodiscard]] ModelContents readModel(ModelSource& source, const Pose& X_WM,
                                       const SavedModel* saved, SdfReading& reading);

@@ -33,6 +33,7 @@ struct SdfReading;
 struct UrdfModel {
   Model model;
   std::vector<CameraSensor> cameras;
+  std::vector<LidarSensor> lidars;
 };
 
 /// Reads a URDF file, readUrdfModel().

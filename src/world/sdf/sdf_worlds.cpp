@@ -192,6 +192,8 @@ class WorldReader {
     for (Light& light : contents.lights) addLight(std::move(light));
     std::move(contents.cameras.begin(), contents.cameras.end(),
               std::back_inserter(description_.cameras));
+    std::move(contents.lidars.begin(), contents.lidars.end(),
+              std::back_inserter(description_.lidars));
   }
 
   void addLight(Light light) {

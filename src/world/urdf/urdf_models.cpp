@@ -10,6 +10,7 @@
 
 #include "world/material/gazebo_materials.h"
 #include "world/sdf/sdf_cameras.h"
+#include "world/sdf/sdf_lidars.h"
 #include "world/sdf/sdf_materials.h"
 #include "world/sdf/sdf_values.h"
 #include "world/urdf/urdf_text.h"
@@ -122,22 +123,24 @@ class GazeboExtensions {
     return has_gravity;
   }
 
-  [[nodiscard]] std::vector<CameraSensor> camerasOf(const Link& link, const std::string& model,
-                                                    const SourceLocation& location) const {
-    std::vector<CameraSensor> cameras;
+  /// Adds the sensors of a link to its model.
+  void addSensors(const Link& link, const SourceLocation& location, UrdfModel& model) const {
+    const std::string scope = model.model.name + "::" + link.name + "::";
     for (const Element& gazebo : of(link.name)) {
       for (const Element& sensor : gazebo.children("sensor")) {
         const SourceLocation here = locationOf(sensor, location);
         const Pose X_LS = readPose(sensor, here, reading_).pose;
-        for (CameraSensor& camera :
-             readCameras(sensor, model + "::" + link.name + "::" + sensor.attribute("name"),
-                         link.X_ML, X_LS, here, reading_)) {
+        const std::string name = scope + sensor.attribute("name");
+        for (CameraSensor& camera : readCameras(sensor, name, link.X_ML, X_LS, here, reading_)) {
           camera.link = link.name;
-          cameras.push_back(std::move(camera));
+          model.cameras.push_back(std::move(camera));
+        }
+        if (auto lidar = readLidar(sensor, name, link.X_ML, X_LS, here, reading_)) {
+          lidar->link = link.name;
+          model.lidars.push_back(std::move(*lidar));
         }
       }
     }
-    return cameras;
   }
 
  private:
@@ -201,9 +204,7 @@ class LinkReader {
     link.has_gravity = gazebo_.hasGravity(name, here);
     link.visuals = shapes_.visuals(element, gazebo_.lookOf(name, here), here);
     link.collisions = shapes_.collisions(element, here);
-    for (CameraSensor& camera : gazebo_.camerasOf(link, result.model.name, here)) {
-      result.cameras.push_back(std::move(camera));
-    }
+    gazebo_.addSensors(link, here, result);
     const std::size_t index = result.model.links.size();
     const Pose X_ML = link.X_ML;
     result.model.links.push_back(std::move(link));

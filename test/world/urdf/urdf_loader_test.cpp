@@ -291,6 +291,25 @@ TEST_F(UrdfLoader, FindsCamerasOnLinksOfFixedJoints) {
   EXPECT_TRUE(camera.X_WC.linear().col(2).isApprox(Eigen::Vector3d::UnitX())) << "looks along x";
 }
 
+TEST_F(UrdfLoader, FindsLidarsOnLinksOfFixedJoints) {
+  const ResourceFinder finder = test::finderIn(folder);
+  WorldLoader loader(finder);
+  const auto file = folder.write(
+      "robot.urdf",
+      robot("<link name='a'/><link name='b'/>" + joint("fixed", "<origin xyz='0.5 0 1'/>") +
+            "<gazebo reference='b'><sensor type='gpu_ray' name='scan'><pose>0.1 0 0 0 0 0</pose>"
+            "<update_rate>5</update_rate><ray><scan><horizontal><samples>90</samples>"
+            "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan>"
+            "<range><min>0.2</min><max>30</max></range></ray></sensor></gazebo>"));
+  (void)loader.loadModel(file.string(), "rover");
+  ASSERT_THAT(loader.modelLidars(), SizeIs(1));
+  const LidarSensor& lidar = loader.modelLidars().front();
+  EXPECT_EQ(lidar.name, "rover::b::scan");
+  EXPECT_EQ(lidar.link, "b");
+  EXPECT_TRUE(lidar.X_WS.translation().isApprox(Eigen::Vector3d(0.6, 0, 1)));
+  EXPECT_EQ(lidar.update_rate, 5.0);
+}
+
 TEST_F(UrdfLoader, TakesColoursOfAnStlForNoneWhereTheFileGivesOne) {
   std::string stl(80, ' ');
   stl += std::string("\1\0\0\0", 4);

@@ -4,7 +4,7 @@
 
 #include "synthetic_dataset/pose.h"
 
-namespace synthetic_dataset::lidar {
+namespace synthetic_dataset::base {
 
 /// A pose to be interpolated: as the position and the turn of its frame.
 struct Placement {
@@ -27,4 +27,4 @@ struct Placement {
   return result;
 }
 
-}  // namespace synthetic_dataset::lidar
+}  // namespace synthetic_dataset::base
