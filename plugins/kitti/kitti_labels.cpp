@@ -90,14 +90,21 @@ std::string dontCareLineOf(const SceneObject& object, const CameraModel& camera,
                                           : "-1 " + line + " -1000 -1000 -1000 -10 -1 -1 -1\n";
 }
 
+/// Whether the lidar has enough points of an object. @param index  in Scene::objects
+bool hasEnoughPoints(const Scene& scene, std::size_t index, const KittiOptions& options) {
+  if (!options.lidar || options.min_points == 0) return true;
+  return scene.clouds().at(*options.lidar)->points_of_objects.at(index) >= options.min_points;
+}
+
 }  // namespace
 
 std::string labels(const Scene& scene, const KittiOptions& options, Benchmark benchmark,
                    SceneOutput& output) {
   std::string lines;
   bool is_tilted = false;
-  for (const SceneObject& object : scene.objects) {
-    if (object.labelled()) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    if (object.labelled() && hasEnoughPoints(scene, i, options)) {
       lines += lineOf(object, scene.camera, options, benchmark);
       is_tilted = is_tilted || isTilted(*object.X_CO);
     } else if (options.dont_care && object.pixels.visible() > 0) {

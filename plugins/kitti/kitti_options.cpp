@@ -53,6 +53,7 @@ void readVelodyne(Parameters& parameters, const DatasetInfo& dataset, KittiOptio
   if (velodyne == "none" || velodyne == "depth") return;
   options.lidar = dataset.lidarIndex(parameters, "velodyne", velodyne);
   options.positions = readCloudPositions(parameters);
+  options.min_points = readMinPoints(parameters);
 }
 
 }  // namespace

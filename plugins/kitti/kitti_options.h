@@ -23,6 +23,7 @@ struct KittiOptions {
   bool velodyne = false;             ///< whether there are points of a scanner, made of the depth
   std::optional<std::size_t> lidar;  ///< whose points there are, in DatasetInfo::lidars
   CloudPositions positions = CloudPositions::kAtStamp;  ///< of the lidar's points
+  std::int64_t min_points = 0;  ///< objects of which the lidar has fewer get no label
 };
 
 [[nodiscard]] KittiOptions readKittiOptions(Parameters& parameters, const DatasetInfo& dataset);

@@ -37,6 +37,7 @@ std::string recordOf(const Frame& frame) {
                        {"size", {each.size.x(), each.size.y(), each.size.z()}},
                        {"visibility", each.visibility},
                        {"pixels", each.pixels},
+                       {"points", each.points},
                        {"box", {each.box.left, each.box.top, each.box.right, each.box.bottom}}});
   }
   return jsonText({{"instant", frame.instant},
@@ -68,6 +69,7 @@ Frame frameOf(std::int64_t scene, const std::string& record) {
          {number("size", 0), number("size", 1), number("size", 2)},
          each.at("visibility").get<double>(),
          each.at("pixels").get<std::int64_t>(),
+         each.at("points").get<std::int64_t>(),
          {number("box", 0), number("box", 1), number("box", 2), number("box", 3)}});
   }
   return frame;

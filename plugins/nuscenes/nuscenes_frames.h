@@ -22,25 +22,26 @@ struct Placement {
 
 [[nodiscard]] Placement placementOf(const Pose& pose);
 
-/// An object that a camera sees.
+/// An object that a camera sees or a lidar meets.
 struct SeenObject {
   std::int64_t object = 0;                         ///< its index
   Placement X_GB;                                  ///< of its box
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< width, length, height [m]
   double visibility = 0.0;
   std::int64_t pixels = 0;
-  Box box;  ///< in which the image spans 0 to its width [px]
+  std::int64_t points = 0;  ///< of the lidar
+  Box box;                  ///< in which the image spans 0 to its width [px]
 };
 
-/// What one camera sees at one instant.
+/// What one camera, or the lidar, has of one instant.
 struct Frame {
   std::int64_t scene = 0;  ///< Scene::index
   std::int64_t instant = 0;
   std::int64_t microseconds = 0;
   std::int64_t sequence = 0;
-  std::int64_t camera = 0;
+  std::int64_t camera = 0;  ///< the lidar's is that behind all cameras'
   std::string file;
-  Placement X_GE;  ///< of the ego frame: the camera's, x ahead, y left, z up
+  Placement X_GE;  ///< of the ego frame: the sensor's, x ahead, y left, z up
   std::vector<SeenObject> objects;
 };
 

@@ -10,7 +10,31 @@
 
 namespace synthetic_dataset {
 
-NuScenesOptions readNuScenesOptions(Parameters& parameters) {
+namespace {
+
+/// The only lidar unless `lidar` says otherwise.
+void readLidar(Parameters& parameters, const DatasetInfo& dataset, NuScenesOptions& options) {
+  if (dataset.lidars.empty()) return;
+  const std::string name = dataset.lidars.size() == 1 ? parameters.optional<std::string>(
+                                                            "lidar", dataset.lidars.front().name)
+                                                      : parameters.required<std::string>("lidar");
+  if (name == "none") return;
+  options.lidar = dataset.lidarIndex(parameters, "lidar", name);
+  options.positions = readCloudPositions(parameters);
+  options.min_points = readMinPoints(parameters);
+  options.lidarseg = parameters.optional("lidarseg", options.lidarseg);
+  constexpr std::size_t kMostCategories = 255;  // beside noise, in a byte
+  const std::size_t count = dataset.classes.size() + dataset.world_classes.size();
+  if (options.lidarseg && count > kMostCategories) {
+    parameters.addError("lidarseg", "found " + std::to_string(count) +
+                                        " classes, of which a byte can name 255; it should be "
+                                        "false");
+  }
+}
+
+}  // namespace
+
+NuScenesOptions readNuScenesOptions(Parameters& parameters, const DatasetInfo& dataset) {
   NuScenesOptions options;
   options.version = parameters.optional("version", options.version);
   if (options.version.empty() || options.version.front() == '.' ||
@@ -21,6 +45,7 @@ NuScenesOptions readNuScenesOptions(Parameters& parameters) {
   }
   options.box = readBoxChoice(parameters);
   options.image_format = parameters.optionalChoice("image_format", {"jpg", "png"}, "jpg");
+  readLidar(parameters, dataset, options);
   return options;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "plugins/shared/cloud_files.h"
 #include "synthetic_dataset/box_choice.h"
 
 namespace synthetic_dataset {
@@ -13,9 +16,14 @@ struct NuScenesOptions {
   std::string version = "v1.0-trainval";  ///< the folder of the tables
   BoxChoice box = BoxChoice::kVisible;    ///< in image_annotations
   std::string image_format = "jpg";
+  std::optional<std::size_t> lidar;  ///< that is LIDAR_TOP, in DatasetInfo::lidars
+  CloudPositions positions = CloudPositions::kAtStamp;  ///< of its points
+  bool lidarseg = true;         ///< whether there is a category of each point
+  std::int64_t min_points = 0;  ///< objects of which it has fewer are not annotated
 };
 
-[[nodiscard]] NuScenesOptions readNuScenesOptions(Parameters& parameters);
+[[nodiscard]] NuScenesOptions readNuScenesOptions(Parameters& parameters,
+                                                  const DatasetInfo& dataset);
 
 /// Kinds of records that refer to one another.
 enum class NuScenesTable {
@@ -39,6 +47,9 @@ enum class NuScenesTable {
 /// What a camera is called: CAM_FRONT where it is the only one, else CAM_ and its name.
 [[nodiscard]] std::string nuScenesChannel(const std::vector<CameraDescription>& cameras,
                                           std::size_t camera);
+
+/// What the lidar is called.
+inline constexpr const char* kNuScenesLidar = "LIDAR_TOP";
 
 /// Which nuScenes scene, which is a sequence of samples, a scene belongs to: its split's and
 /// motion's.

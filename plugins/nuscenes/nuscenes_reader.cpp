@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include <Eigen/Geometry>
@@ -86,7 +87,10 @@ DrawnLabel labelOf(const json& seen, const Tables& tables) {
 
 LabelledPicture readScene(const WrittenScene& scene) {
   if (scene.files.empty()) throw Error("'" + scene.folder.string() + "': no image of the scene");
-  const fs::path& image = scene.files.front();
+  const auto isImage = [](const fs::path& file) { return file.extension() != ".bin"; };
+  const auto found = std::find_if(scene.files.begin(), scene.files.end(), isImage);
+  if (found == scene.files.end()) throw Error("'" + scene.folder.string() + "': no image");
+  const fs::path& image = *found;
   const Tables tables(scene);
   LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
   readingJson(tables.folder() / "image_annotations.json", [&] {

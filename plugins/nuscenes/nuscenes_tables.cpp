@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -25,11 +27,12 @@ std::string visibilityToken(double visibility) {
   return visibility < 0.8 ? "3" : "4";
 }
 
-/// What is known of an object at an instant, by all cameras that see it.
+/// What is known of an object at an instant, by all cameras that see it and the lidar.
 struct Annotation {
   const SeenObject* seen = nullptr;  ///< by the first of them
   double visibility = 0.0;           ///< the greatest
   std::int64_t pixels = 0;           ///< of all
+  std::int64_t points = 0;           ///< of the lidar
   std::string prev;
   std::string next;
 };
@@ -50,7 +53,7 @@ class Chain {
   std::map<std::pair<std::int64_t, std::int64_t>, std::pair<std::string, std::string*>> last_;
 };
 
-/// All cameras' frames of one instant.
+/// All sensors' frames of one instant.
 struct Sample {
   std::vector<const Frame*> frames;
   std::vector<std::pair<std::string, std::string>> data;  ///< of the frames: before, after
@@ -70,7 +73,9 @@ struct Sample {
 /// The samples of a dataset, each linked with those before and after it.
 class Samples {
  public:
-  explicit Samples(const std::vector<Frame>& frames) {
+  /// @param min_points  that an object needs for an annotation
+  Samples(const DatasetInfo& dataset, const std::vector<Frame>& frames, std::int64_t min_points)
+      : dataset_(dataset) {
     for (const Frame& frame : frames) {
       if (all_.empty() || all_.back()->first().instant != frame.instant) {
         all_.push_back(std::make_unique<Sample>());
@@ -82,9 +87,16 @@ class Samples {
         if (annotation.seen == nullptr) annotation.seen = &each;
         annotation.visibility = std::max(annotation.visibility, each.visibility);
         annotation.pixels += each.pixels;
+        annotation.points += each.points;
       }
     }
-    for (const auto& sample : all_) link(*sample);
+    for (const auto& sample : all_) {
+      auto& annotations = sample->annotations;
+      for (auto each = annotations.begin(); each != annotations.end();) {
+        each = each->second.points < min_points ? annotations.erase(each) : std::next(each);
+      }
+      link(*sample);
+    }
   }
 
   [[nodiscard]] const std::vector<std::unique_ptr<Sample>>& all() const { return all_; }
@@ -96,14 +108,15 @@ class Samples {
     sample.data.resize(sample.frames.size());
     for (std::size_t i = 0; i < sample.frames.size(); ++i) {
       const Frame& frame = *sample.frames[i];
-      sample.data[i].first = data_.add(sequence, frame.camera, sample.data[i].second,
-                                       token(NuScenesTable::kSampleData, frame.scene));
+      sample.data[i].first =
+          data_.add(sequence, frame.camera, sample.data[i].second, dataToken(dataset_, frame));
     }
     for (auto& [object, annotation] : sample.annotations) {
       annotation.prev = annotations_.add(sequence, object, annotation.next, sample.tokenOf(object));
     }
   }
 
+  const DatasetInfo& dataset_;
   std::vector<std::unique_ptr<Sample>> all_;
   Chain samples_;
   Chain data_;
@@ -111,13 +124,15 @@ class Samples {
 };
 
 /// What `sample_annotation` and `image_annotations` both have of an object in a sample.
-Json annotationOf(const Sample& sample, std::int64_t object, const Annotation& annotation) {
+/// @param points  of the lidar, or what stands for them
+Json annotationOf(const Sample& sample, std::int64_t object, const Annotation& annotation,
+                  std::int64_t points) {
   return {{"instance_token", token(NuScenesTable::kInstance, sample.first().sequence, object)},
           {"visibility_token", visibilityToken(annotation.visibility)},
           {"attribute_tokens", Json::array()},
           {"prev", annotation.prev},
           {"next", annotation.next},
-          {"num_lidar_pts", annotation.pixels},
+          {"num_lidar_pts", points},
           {"num_radar_pts", 0}};
 }
 
@@ -135,14 +150,44 @@ struct Extent {
 
 class Maker {
  public:
-  Maker(const DatasetInfo& dataset, const std::vector<Frame>& frames, std::string extension)
-      : dataset_(dataset), samples_(frames), extension_(std::move(extension)) {}
+  Maker(const DatasetInfo& dataset, const std::vector<Frame>& frames, NuScenesOptions options)
+      : dataset_(dataset),
+        samples_(dataset, frames, options.min_points),
+        options_(std::move(options)) {}
+
+  /// Whether there is a category of each point.
+  [[nodiscard]] bool hasLidarseg() const { return options_.lidar && options_.lidarseg; }
 
   void category(const AddRecord& add) const {
+    std::size_t number = 0;
+    const auto addOne = [&](const std::string& its_token, const std::string& name) {
+      Json record = {{"token", its_token}, {"name", name}, {"description", ""}};
+      if (hasLidarseg()) record["index"] = number;
+      add(record);
+      ++number;
+    };
+    if (hasLidarseg()) addOne(token(NuScenesTable::kCategory, 0, 2), "noise");
     for (const ClassInfo& each : dataset_.classes) {
-      add({{"token", token(NuScenesTable::kCategory, each.id)},
-           {"name", each.name},
-           {"description", ""}});
+      addOne(token(NuScenesTable::kCategory, each.id), each.name);
+    }
+    if (!hasLidarseg()) return;
+    const PointCategories categories(dataset_);
+    for (std::size_t i = 0; i < dataset_.world_classes.size(); ++i) {
+      if (categories.ofWorld(i) != number) continue;  // it has one already
+      addOne(token(NuScenesTable::kCategory, static_cast<std::int64_t>(i), 1),
+             dataset_.world_classes[i]);
+    }
+  }
+
+  void lidarseg(const AddRecord& add) const {
+    for (const auto& sample : samples_.all()) {
+      for (const Frame* frame : sample->frames) {
+        if (!isLidar(*frame)) continue;
+        const std::string of = dataToken(dataset_, *frame);
+        add({{"token", of},
+             {"sample_data_token", of},
+             {"filename", lidarsegFile(options_.version, of)}});
+      }
     }
   }
 
@@ -164,6 +209,10 @@ class Maker {
            {"channel", nuScenesChannel(dataset_.cameras, i)},
            {"modality", "camera"}});
     }
+    if (!options_.lidar) return;
+    add({{"token", token(NuScenesTable::kSensor, lidarIndex())},
+         {"channel", kNuScenesLidar},
+         {"modality", "lidar"}});
   }
 
   void calibratedSensor(const AddRecord& add) const {
@@ -177,12 +226,20 @@ class Maker {
            {"rotation", {0.5, -0.5, 0.5, -0.5}},
            {"camera_intrinsic", {{k.fx, 0.0, k.cx}, {0.0, k.fy, k.cy}, {0.0, 0.0, 1.0}}}});
     }
+    if (!options_.lidar) return;
+    const double half = std::sqrt(0.5);
+    add({{"token", token(NuScenesTable::kCalibratedSensor, lidarIndex())},
+         {"sensor_token", token(NuScenesTable::kSensor, lidarIndex())},
+         {"translation", {0.0, 0.0, 0.0}},
+         // nuScenes' lidar has x to the right and y ahead.
+         {"rotation", {half, 0.0, 0.0, -half}},
+         {"camera_intrinsic", Json::array()}});
   }
 
   void egoPose(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
       for (const Frame* frame : sample->frames) {
-        add({{"token", token(NuScenesTable::kEgoPose, frame->scene)},
+        add({{"token", egoToken(*frame)},
              {"timestamp", frame->microseconds},
              {"rotation", listOf(frame->X_GE.rotation)},
              {"translation", numbersOf(frame->X_GE.translation)}});
@@ -245,17 +302,18 @@ class Maker {
     for (const auto& sample : samples_.all()) {
       for (std::size_t i = 0; i < sample->frames.size(); ++i) {
         const Frame& frame = *sample->frames[i];
-        const CameraModel& camera =
-            dataset_.cameras.at(static_cast<std::size_t>(frame.camera)).model;
-        add({{"token", token(NuScenesTable::kSampleData, frame.scene)},
+        const CameraModel* camera =
+            isLidar(frame) ? nullptr
+                           : &dataset_.cameras.at(static_cast<std::size_t>(frame.camera)).model;
+        add({{"token", dataToken(dataset_, frame)},
              {"sample_token", sample->token()},
-             {"ego_pose_token", token(NuScenesTable::kEgoPose, frame.scene)},
+             {"ego_pose_token", egoToken(frame)},
              {"calibrated_sensor_token", token(NuScenesTable::kCalibratedSensor, frame.camera)},
              {"timestamp", frame.microseconds},
-             {"fileformat", extension_},
+             {"fileformat", camera != nullptr ? options_.image_format : "pcd"},
              {"is_key_frame", true},
-             {"height", camera.height()},
-             {"width", camera.width()},
+             {"height", camera != nullptr ? camera->height() : 0},
+             {"width", camera != nullptr ? camera->width() : 0},
              {"filename", frame.file},
              {"prev", sample->data[i].first},
              {"next", sample->data[i].second}});
@@ -271,7 +329,7 @@ class Maker {
                        {"translation", numbersOf(annotation.seen->X_GB.translation)},
                        {"size", numbersOf(annotation.seen->size)},
                        {"rotation", listOf(annotation.seen->X_GB.rotation)}};
-        record.update(annotationOf(*sample, object, annotation));
+        record.update(annotationOf(*sample, object, annotation, pointsOf(annotation)));
         add(record);
       }
     }
@@ -297,14 +355,17 @@ class Maker {
   void imageAnnotations(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
       for (const Frame* frame : sample->frames) {
+        if (isLidar(*frame)) continue;
         for (const SeenObject& seen : frame->objects) {
+          const auto found = sample->annotations.find(seen.object);
+          if (found == sample->annotations.end()) continue;  // of too few points
           Json record = {
               {"sample_annotation_token", sample->tokenOf(seen.object)},
-              {"sample_data_token", token(NuScenesTable::kSampleData, frame->scene)},
+              {"sample_data_token", dataToken(dataset_, *frame)},
               {"bbox_corners", {seen.box.left, seen.box.top, seen.box.right, seen.box.bottom}},
               {"category_name", objectAt(seen.object).class_name},
               {"filename", frame->file}};
-          record.update(annotationOf(*sample, seen.object, sample->annotations.at(seen.object)));
+          record.update(annotationOf(*sample, seen.object, found->second, pointsOf(found->second)));
           add(record);
         }
       }
@@ -312,6 +373,21 @@ class Maker {
   }
 
  private:
+  [[nodiscard]] std::int64_t lidarIndex() const {
+    return static_cast<std::int64_t>(dataset_.cameras.size());
+  }
+
+  [[nodiscard]] bool isLidar(const Frame& frame) const { return frame.camera == lidarIndex(); }
+
+  [[nodiscard]] std::string egoToken(const Frame& frame) const {
+    return token(NuScenesTable::kEgoPose, frame.scene, isLidar(frame) ? 1 : 0);
+  }
+
+  /// Without a lidar, pixels stand for its points: trainers leave out what has none.
+  [[nodiscard]] std::int64_t pointsOf(const Annotation& annotation) const {
+    return options_.lidar ? annotation.points : annotation.pixels;
+  }
+
   [[nodiscard]] const ObjectInfo& objectAt(std::int64_t object) const {
     return dataset_.objects.at(static_cast<std::size_t>(object));
   }
@@ -326,31 +402,56 @@ class Maker {
 
   const DatasetInfo& dataset_;
   Samples samples_;
-  std::string extension_;
+  NuScenesOptions options_;
 };
 
 }  // namespace
 
 std::vector<Table> tablesOf(const DatasetInfo& dataset, const std::vector<Frame>& frames,
-                            const std::string& extension) {
-  const auto maker = std::make_shared<const Maker>(dataset, frames, extension);
+                            const NuScenesOptions& options) {
+  const auto maker = std::make_shared<const Maker>(dataset, frames, options);
   const auto made = [&](void (Maker::*table)(const AddRecord&) const) {
     return [maker, table](const AddRecord& add) { ((*maker).*table)(add); };
   };
-  return {{"category", made(&Maker::category)},
-          {"attribute", [](const AddRecord& /*add*/) {}},
-          {"visibility", &Maker::visibility},
-          {"sensor", made(&Maker::sensor)},
-          {"calibrated_sensor", made(&Maker::calibratedSensor)},
-          {"ego_pose", made(&Maker::egoPose)},
-          {"log", made(&Maker::log)},
-          {"map", made(&Maker::map)},
-          {"scene", made(&Maker::scene)},
-          {"sample", made(&Maker::sample)},
-          {"sample_data", made(&Maker::sampleData)},
-          {"sample_annotation", made(&Maker::sampleAnnotation)},
-          {"instance", made(&Maker::instance)},
-          {"image_annotations", made(&Maker::imageAnnotations)}};
+  std::vector<Table> tables = {{"category", made(&Maker::category)},
+                               {"attribute", [](const AddRecord& /*add*/) {}},
+                               {"visibility", &Maker::visibility},
+                               {"sensor", made(&Maker::sensor)},
+                               {"calibrated_sensor", made(&Maker::calibratedSensor)},
+                               {"ego_pose", made(&Maker::egoPose)},
+                               {"log", made(&Maker::log)},
+                               {"map", made(&Maker::map)},
+                               {"scene", made(&Maker::scene)},
+                               {"sample", made(&Maker::sample)},
+                               {"sample_data", made(&Maker::sampleData)},
+                               {"sample_annotation", made(&Maker::sampleAnnotation)},
+                               {"instance", made(&Maker::instance)},
+                               {"image_annotations", made(&Maker::imageAnnotations)}};
+  if (maker->hasLidarseg()) tables.push_back({"lidarseg", made(&Maker::lidarseg)});
+  return tables;
+}
+
+PointCategories::PointCategories(const DatasetInfo& dataset) {
+  std::map<std::string, std::size_t> numbers;
+  for (const ClassInfo& each : dataset.classes) numbers.emplace(each.name, numbers.size() + 1);
+  for (const std::string& name : dataset.world_classes) {
+    of_world_.push_back(numbers.emplace(name, numbers.size() + 1).first->second);
+  }
+}
+
+std::uint8_t PointCategories::of(const CloudPoint& point) const {
+  if (point.class_number > 0) return static_cast<std::uint8_t>(point.class_number);
+  if (point.world_class == 0) return 0;
+  return static_cast<std::uint8_t>(of_world_.at(point.world_class - std::size_t{1}));
+}
+
+std::string dataToken(const DatasetInfo& dataset, const Frame& frame) {
+  const bool is_lidar = frame.camera == static_cast<std::int64_t>(dataset.cameras.size());
+  return token(NuScenesTable::kSampleData, frame.scene, is_lidar ? 1 : 0);
+}
+
+std::string lidarsegFile(const std::string& version, const std::string& data_token) {
+  return "lidarseg/" + version + "/" + data_token + "_lidarseg.bin";
 }
 
 }  // namespace synthetic_dataset::nuscenes

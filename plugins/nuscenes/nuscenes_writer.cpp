@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdint>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "plugins/nuscenes/nuscenes_options.h"
 #include "plugins/nuscenes/nuscenes_scenes.h"
 #include "plugins/nuscenes/nuscenes_tables.h"
+#include "plugins/shared/cloud_files.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/label_text.h"
@@ -17,14 +20,15 @@
 
 namespace synthetic_dataset {
 
-/// nuScenes: `samples/CAM_*/` with images, and tables of JSON that refer to one another by tokens.
+/// nuScenes: `samples/CAM_*/` with images, `samples/LIDAR_TOP/` with a lidar's points, `lidarseg/`
+/// with their categories, and tables of JSON that refer to one another by tokens.
 /// https://www.nuscenes.org/nuscenes#data-format, https://github.com/nutonomy/nuscenes-devkit
 /// (docs/schema_nuscenes.md)
 class NuScenesWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     dataset.refuseVaryingIntrinsics("calibrated_sensor.json");
-    options_ = readNuScenesOptions(parameters);
+    options_ = readNuScenesOptions(parameters, dataset);
     if (const auto problem = nuscenes::sceneNameProblem(dataset)) parameters.addError("", *problem);
     dataset_ = dataset;
   }
@@ -32,15 +36,16 @@ class NuScenesWriter : public LabelWriter {
   [[nodiscard]] Requirements doRequirements() const override {
     Requirements requirements = requirementsOf(options_.box);
     requirements.visibility = true;
+    if (options_.lidar) {
+      requirements.clouds = true;
+      requirements.frames = {dataset_.lidars[*options_.lidar].frame};
+    }
     return requirements;
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     warnOfDistortion(scene.camera, output);
-    nuscenes::Frame frame;
-    frame.instant = scene.instant;
-    frame.microseconds = scene.stamp.count() / 1000;
-    frame.sequence = static_cast<std::int64_t>(nuScenesSequence(dataset_, scene));
+    nuscenes::Frame frame = frameOf(scene);
     frame.camera = static_cast<std::int64_t>(scene.camera_index);
     frame.file = "samples/" + nuScenesChannel(dataset_.cameras, scene.camera_index) + "/" +
                  scene.flatName() + "." + options_.image_format;
@@ -51,6 +56,52 @@ class NuScenesWriter : public LabelWriter {
     }
     output.addImage(frame.file, scene.image);
     output.addRecord(kFrames, nuscenes::recordOf(frame));
+    // All cameras of an instant have the same clouds.
+    if (options_.lidar && scene.camera_index == 0) writeCloud(scene, output);
+  }
+
+  [[nodiscard]] nuscenes::Frame frameOf(const Scene& scene) const {
+    nuscenes::Frame frame;
+    frame.scene = scene.index;
+    frame.instant = scene.instant;
+    frame.microseconds = scene.stamp.count() / 1000;
+    frame.sequence = static_cast<std::int64_t>(nuScenesSequence(dataset_, scene));
+    return frame;
+  }
+
+  /// x to the right, y ahead, z up [m], the intensity, 0 .. 255, and the ring of each point, as
+  /// LidarPointCloud.from_file of the devkit's utils/data_classes.py reads them; and its category.
+  void writeCloud(const Scene& scene, SceneOutput& output) const {
+    const Cloud& cloud = *scene.clouds().at(*options_.lidar);
+    nuscenes::Frame frame = frameOf(scene);
+    frame.camera = static_cast<std::int64_t>(dataset_.cameras.size());
+    frame.file = std::string("samples/") + kNuScenesLidar + "/" +
+                 scene.name.substr(scene.name.rfind('/') + 1) + ".pcd.bin";
+    frame.X_GE = nuscenes::placementOf(
+        scene.transform(dataset_.global_frame, dataset_.lidars[*options_.lidar].frame));
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const std::int64_t points = cloud.points_of_objects.at(i);
+      if (points == 0 || !scene.objects[i].X_GO) continue;
+      frame.objects.push_back(metObject(scene.objects[i], points));
+    }
+    const nuscenes::PointCategories categories(dataset_);
+    constexpr float kFullScale = 255.0F;
+    std::string bytes;
+    std::string of_points;
+    for (const CloudPoint& point : cloud.points) {
+      const Eigen::Vector3f& p_S = positionOf(point, options_.positions);
+      const auto ring = static_cast<float>(point.ring);
+      for (const float number : {-p_S.y(), p_S.x(), p_S.z(), kFullScale * point.intensity, ring}) {
+        appendFloat(bytes, number);
+      }
+      of_points += static_cast<char>(categories.of(point));
+    }
+    output.addText(frame.file, std::move(bytes));
+    if (options_.lidarseg) {
+      output.addText(nuscenes::lidarsegFile(options_.version, nuscenes::dataToken(dataset_, frame)),
+                     std::move(of_points));
+    }
+    output.addRecord(kSweeps, nuscenes::recordOf(frame));
   }
 
   /// A frame with x ahead, y left and z up in the optical frame.
@@ -63,24 +114,42 @@ class NuScenesWriter : public LabelWriter {
   }
 
   [[nodiscard]] static nuscenes::SeenObject seenObject(const SceneObject& object, const Box& box) {
+    nuscenes::SeenObject seen = placedObject(object);
+    seen.visibility = object.visibility();
+    seen.pixels = object.pixels.visible();
+    seen.box = {box.left + 0.5, box.top + 0.5, box.right + 0.5, box.bottom + 0.5};
+    return seen;
+  }
+
+  [[nodiscard]] static nuscenes::SeenObject metObject(const SceneObject& object,
+                                                      std::int64_t points) {
+    nuscenes::SeenObject met = placedObject(object);
+    met.points = points;
+    return met;
+  }
+
+  [[nodiscard]] static nuscenes::SeenObject placedObject(const SceneObject& object) {
     const Eigen::Vector3d size = object.cuboid_O.size();
     Pose X_GB = *object.X_GO;
     X_GB.translation() = *object.X_GO * object.cuboid_O.centre();
-    return {object.instance - 1,
-            nuscenes::placementOf(X_GB),
-            {size.y(), size.x(), size.z()},
-            object.visibility(),
-            object.pixels.visible(),
-            {box.left + 0.5, box.top + 0.5, box.right + 0.5, box.bottom + 0.5}};
+    nuscenes::SeenObject placed;
+    placed.object = object.instance - 1;
+    placed.X_GB = nuscenes::placementOf(X_GB);
+    placed.size = {size.y(), size.x(), size.z()};
+    return placed;
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
     std::vector<nuscenes::Frame> frames;
-    records.forEach(kFrames, [&](std::int64_t scene, const std::string& record) {
-      frames.push_back(nuscenes::frameOf(scene, record));
-    });
-    for (const nuscenes::Table& table :
-         nuscenes::tablesOf(dataset_, frames, options_.image_format)) {
+    for (const char* channel : {kFrames, kSweeps}) {
+      records.forEach(channel, [&](std::int64_t scene, const std::string& record) {
+        frames.push_back(nuscenes::frameOf(scene, record));
+      });
+    }
+    // The cameras' before the lidar's.
+    std::stable_sort(frames.begin(), frames.end(),
+                     [](const auto& a, const auto& b) { return a.instant < b.instant; });
+    for (const nuscenes::Table& table : nuscenes::tablesOf(dataset_, frames, options_)) {
       output.addFile(options_.version + "/" + table.name + ".json", [&](std::ostream& file) {
         const char* separator = "\n";
         file << '[';
@@ -98,7 +167,9 @@ class NuScenesWriter : public LabelWriter {
     });
   }
 
-  static constexpr const char* kFrames = "frames";  // of records: all
+  // Of records: all of the cameras, and of the lidar.
+  static constexpr const char* kFrames = "frames";
+  static constexpr const char* kSweeps = "sweeps";
 
   NuScenesOptions options_;
   DatasetInfo dataset_;

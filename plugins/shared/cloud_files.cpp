@@ -11,6 +11,10 @@ CloudPositions readCloudPositions(Parameters& parameters) {
                                                        : CloudPositions::kMeasured;
 }
 
+std::int64_t readMinPoints(Parameters& parameters) {
+  return parameters.maybeBetween<std::int64_t>("min_points", 0, 1000000).value_or(0);
+}
+
 const Eigen::Vector3f& positionOf(const CloudPoint& point, CloudPositions positions) {
   return positions == CloudPositions::kAtStamp ? point.position_at_stamp_S : point.position_S;
 }

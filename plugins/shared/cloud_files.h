@@ -19,6 +19,9 @@ enum class CloudPositions {
 /// Reads `motion_corrected`: whether points are where they are without the scanner's own motion.
 [[nodiscard]] CloudPositions readCloudPositions(Parameters& parameters);
 
+/// Reads `min_points`: how many points of the lidar an object needs for a label.
+[[nodiscard]] std::int64_t readMinPoints(Parameters& parameters);
+
 [[nodiscard]] const Eigen::Vector3f& positionOf(const CloudPoint& point, CloudPositions positions);
 
 /// Appends a number as binary files have it: four bytes, the lowest first.

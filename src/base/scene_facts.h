@@ -65,7 +65,9 @@ struct ObjectFacts {
 struct PictureFacts {
   std::string name;         ///< as in Scene: "image", "depth"; "image.jpg" stands for its JPEG file
   std::string digest = "";  ///< SHA-256 of its pixels, row by row; of a file's bytes
-  std::vector<float> cells = {};  ///< of depth: its cells, each with sum, least and greatest [m]
+  /// Of depth: its cells, each with sum, least and greatest [m]. Of a cloud's labels: how many
+  /// points each object has, as far as any has one.
+  std::vector<float> cells = {};
 };
 
 /// Two things that are inside one another.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -17,6 +18,7 @@ struct FormatCase {
   std::int64_t labels_of_a_scene = 2;  ///< in which two objects are seen
   bool has_lidar = false;              ///< it writes the clouds of a lidar "top"
   bool is_of_all_cameras = false;      ///< it has one file an instant, whatever cameras there are
+  std::size_t remarks = 0;             ///< of verify: files of which digests alone are known
 };
 
 inline std::ostream& operator<<(std::ostream& stream, const FormatCase& format) {
@@ -44,7 +46,7 @@ inline std::vector<FormatCase> formatCases() {
       {"ImageFolderJpeg", "ImageFolder", {{"image_format", "jpg"}, {"webdataset", true}}},
       {"Kitti", "Kitti", {{"class_names", Value::Map{{"cup", "Car"}}}}},
       {"KittiVelodyne", "Kitti", {{"velodyne", "depth"}}},
-      {"KittiLidar", "Kitti", {{"velodyne", "top"}}, 2, true},
+      {"KittiLidar", "Kitti", {{"velodyne", "top"}, {"min_points", 2}}, 2, true},
       {"KittiTracking", "KittiTracking", {{"class_names", Value::Map{{"cup", "Car"}}}}},
       {"KittiTrackingLidar",
        "KittiTracking",
@@ -57,6 +59,7 @@ inline std::vector<FormatCase> formatCases() {
       {"MotPng", "Mot", {{"image_format", "png"}, {"class_ids", Value::Map{{"cup", 3}}}}},
       {"NuScenes", "NuScenes"},
       {"NuScenesPng", "NuScenes", {{"image_format", "png"}, {"version", "v1.0-mini"}}},
+      {"NuScenesLidar", "NuScenes", {{"min_points", 2}}, 2, true, false, 1},
       {"PascalVoc", "PascalVoc", {{"segmentation", true}}, 4},  // a mask apart from each box
       {"PascalVocFromZero", "PascalVoc", {{"coordinates", "zero_based"}, {"box", "loose"}}, 4},
       {"PvNet", "PvNet"},

@@ -52,9 +52,11 @@ Value writerOf(const std::string& name) {
 }
 
 void writeClouds(Value::Map& parameters) {
-  parameters["writers"] = Value(Value::List{writerOf("SemanticKitti"), writerOf("Kitti"),
-                                            writerOf("RosBag"), writerOf("KittiTracking")});
-  parameters["Kitti"] = Value(Value::Map{{"velodyne", Value("top")}});
+  parameters["writers"] =
+      Value(Value::List{writerOf("SemanticKitti"), writerOf("Kitti"), writerOf("RosBag"),
+                        writerOf("KittiTracking"), writerOf("NuScenes")});
+  parameters["Kitti"] = Value(Value::Map{{"velodyne", Value("top")}, {"min_points", Value(25)}});
+  parameters["NuScenes"] = Value(Value::Map{{"min_points", Value(25)}});
   parameters["KittiTracking"] = Value(Value::Map{{"velodyne", Value("top")}});
   for (const char* unused : {"yolo", "bounding_shape", "stvnet"}) parameters.erase(unused);
 }
@@ -128,6 +130,23 @@ TEST_F(LidarRun, RidesOnAnObject) {
   EXPECT_TRUE(X_OS.translation().isApprox(Eigen::Vector3d(0.0, 0.0, 1.0)));
 }
 
+TEST_F(LidarRun, TakesASensorOfAnObjectsModel) {
+  Value::Map& alpha = *parameters.at("alpha").as<Value::Map>();
+  alpha["model"] = Value(
+      "<sdf version='1.6'><model name='m'><link name='b'><sensor name='scan' type='ray'>"
+      "<pose>0 0 0.7 0 0 0</pose><ray><scan><horizontal><samples>181</samples>"
+      "<min_angle>-1.57</min_angle><max_angle>1.57</max_angle></horizontal></scan>"
+      "<range><min>0.1</min><max>50</max></range></ray></sensor><visual name='v'><geometry><box>"
+      "<size>0.4 0.4 0.4</size></box></geometry></visual></link></model></sdf>");
+  top() = {{"sensor", Value("alpha::b::scan")}};
+  const FinishedScene first = std::move(scenes().front());
+  const Cloud& cloud = *first.scene.clouds().front();
+  EXPECT_EQ(cloud.columns, 181);
+  const Pose X_OS = first.scene.objects[0].X_GO->inverse() * cloud.X_GS;
+  EXPECT_TRUE(X_OS.translation().isApprox(Eigen::Vector3d(0.0, 0.0, 0.7)));
+  EXPECT_TRUE(cloud.X_GS.isApprox(first.scene.transform("map", "top/lidar_link")));
+}
+
 TEST_F(LidarRun, WritesFilesThatVerifyFindsRight) {
   writeClouds(parameters);
   const auto files = filesAnew();
@@ -139,6 +158,18 @@ TEST_F(LidarRun, WritesFilesThatVerifyFindsRight) {
             files.at("Kitti/training/velodyne/000000.bin"));
   EXPECT_EQ(files.at("SemanticKitti/sequences/00/velodyne/000000.bin").size(),
             4 * files.at("SemanticKitti/sequences/00/labels/000000.label").size());
+  Listener listener;
+  output::WriterLoader& writers = *new output::WriterLoader({test::pluginXml()});
+  (void)output::verifyDataset(folder, output::VerificationDepth::kLabels, listener, writers);
+  EXPECT_THAT(listener.problems, IsEmpty());
+}
+
+TEST_F(LidarRun, WritesFilesThatVerifyFindsRightOfMotionsThatHaveItAlone) {
+  writeClouds(parameters);
+  const Value lidars = parameters.at("lidars");
+  parameters.erase("lidars");
+  parameters["motions"] = Value(Value::List{Value(Value::Map{{"lidars", lidars}})});
+  (void)filesAnew();
   Listener listener;
   output::WriterLoader& writers = *new output::WriterLoader({test::pluginXml()});
   (void)output::verifyDataset(folder, output::VerificationDepth::kLabels, listener, writers);

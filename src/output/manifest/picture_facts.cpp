@@ -29,11 +29,23 @@ std::vector<float> depthCells(const cv::Mat& depth) {
   return cells;
 }
 
+/// @param labels  of a cloud (base::cloudPictures)
+std::vector<float> pointCounts(const cv::Mat_<cv::Vec3w>& labels) {
+  std::vector<float> counts;
+  for (const cv::Vec3w& label : labels) {
+    if (label[0] == 0) continue;
+    if (counts.size() < label[0]) counts.resize(label[0], 0.0F);
+    counts[label[0] - std::size_t{1}] += 1.0F;
+  }
+  return counts;
+}
+
 }  // namespace
 
 PictureFacts pictureFacts(const std::string& name, const cv::Mat& pixels) {
   PictureFacts facts{name, digestOfPixels(pixels), {}};
   if (name == "depth") facts.cells = depthCells(pixels);
+  if (name.rfind("cloud_", 0) == 0 && pixels.type() == CV_16UC3) facts.cells = pointCounts(pixels);
   return facts;
 }
 

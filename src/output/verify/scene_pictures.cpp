@@ -90,7 +90,7 @@ void ScenePictures::give(Scene& scene, Filling filling) const {
       picture("optical_flow", CV_32FC2, cv::Scalar::all(kNone), cv::Scalar(1.5, -2.5));
 }
 
-void ScenePictures::giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling) {
+void ScenePictures::giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling) const {
   // Whatever is counted differs between the two.
   const std::size_t of_each = filling == Filling::kNothing ? 1 : 2;
   Cloud cloud;
@@ -115,9 +115,13 @@ void ScenePictures::giveClouds(Scene& scene, const DatasetInfo& dataset, Filling
   for (std::size_t i = 1; i <= dataset.world_classes.size(); ++i) {
     add(0, 0, static_cast<std::uint16_t>(i));
   }
-  cloud.points_of_objects.assign(scene.objects.size(), static_cast<std::int64_t>(of_each));
   Clouds clouds;
   for (cloud.lidar = 0; cloud.lidar < dataset.lidars.size(); ++cloud.lidar) {
+    const PictureFacts* known = factsOf("cloud_" + std::to_string(cloud.lidar) + "_labels");
+    cloud.points_of_objects.assign(scene.objects.size(), 0);
+    for (std::size_t i = 0; known != nullptr && i < known->cells.size(); ++i) {
+      cloud.points_of_objects.at(i) = static_cast<std::int64_t>(known->cells[i]);
+    }
     clouds.push_back(std::make_shared<const Cloud>(cloud));
   }
   scene.clouds = std::move(clouds);

@@ -26,9 +26,10 @@ class ScenePictures {
   /// Gives a scene its pictures.
   void give(Scene& scene, Filling filling) const;
 
-  /// Gives a scene clouds, of which no file holds all: of those that files hold, digests are known.
+  /// Gives a scene clouds, of which no file holds all: of those that files hold, digests are known,
+  /// and how many points each object has.
   /// @param dataset  with its lidars
-  static void giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling);
+  void giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling) const;
 
   /// The name of a scene's picture that a writer hands on as it is; nothing for other pixels.
   [[nodiscard]] static std::optional<std::string> nameOf(const cv::Mat& pixels, const Scene& scene);

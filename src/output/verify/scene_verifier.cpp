@@ -255,8 +255,8 @@ void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<Writ
     return;
   }
   Scene scene = true_.scene(facts);
-  ScenePictures::giveClouds(scene, true_.dataset(), ScenePictures::Filling::kNothing);
   ScenePictures pictures(facts);
+  pictures.giveClouds(scene, true_.dataset(), ScenePictures::Filling::kNothing);
   pictures.give(scene, ScenePictures::Filling::kNothing);
   std::vector<FoundScene> found(labels_.size());
   guarded([&](std::size_t writer) {
@@ -271,7 +271,7 @@ void SceneVerifier::verifyValues(const SceneFacts& facts, const std::vector<Writ
     if (dependsOnUnknown(writer, pictures)) {
       if (!other) {
         pictures.give(other.emplace(scene), ScenePictures::Filling::kSomething);
-        ScenePictures::giveClouds(*other, true_.dataset(), ScenePictures::Filling::kSomething);
+        pictures.giveClouds(*other, true_.dataset(), ScenePictures::Filling::kSomething);
       }
       right.other.emplace();
       labels_[writer].writer->writeScene(*other, writer, *right.other);

@@ -21,6 +21,21 @@ std::string classTextOf(const RunDescription& run, const ObjectInfo& object) {
   return base::parseYaml(setting->second.value, "setting '" + object.name + "/class'").text();
 }
 
+/// Where the entries of `motions` have them alone, which all have the same.
+std::vector<LidarDescription> lidarsOfMotions(const RunDescription& run) {
+  std::vector<LidarDescription> lidars;
+  const auto motions = run.settings.find("motions");
+  if (motions == run.settings.end()) return lidars;
+  const Value list = base::parseYaml(motions->second.value, "setting 'motions'");
+  if (!list.is<Value::List>() || list.as<Value::List>()->empty()) return lidars;
+  Parameters all = Parameters(list.as<Value::List>()->front()).group("lidars");
+  for (const std::string& name : all.names()) {
+    lidars.push_back(
+        {name, all.group(name).optional<std::string>("frame_id", name + "/lidar_link")});
+  }
+  return lidars;
+}
+
 /// The run's lidars, by their settings.
 std::vector<LidarDescription> lidarsOf(const RunDescription& run) {
   const std::string begin = "lidars/";
@@ -33,6 +48,7 @@ std::vector<LidarDescription> lidarsOf(const RunDescription& run) {
     lidars.push_back({name.substr(begin.size(), name.size() - begin.size() - end.size()),
                       base::parseYaml(setting.value, "setting '" + name + "'").text()});
   }
+  if (lidars.empty()) lidars = lidarsOfMotions(run);
   std::sort(lidars.begin(), lidars.end(),
             [](const LidarDescription& a, const LidarDescription& b) { return a.name < b.name; });
   return lidars;

@@ -59,6 +59,7 @@ class DraftWriter {
     writeRecording();
     writeWorld();
     writeCamera();
+    writeLidar();
     writeObjects();
     writeRandomization();
     writeFormats();
@@ -122,6 +123,7 @@ class DraftWriter {
     out_ << "# Scenes per second of the recording, whose frames move with " << fixed(recorded, 1)
          << " Hz.\n"
          << "simulated_rate: " << fixed(rate, rate < 1.0 ? 3 : 1) << '\n';
+    sweep_rate_ = std::max(sweep_rate_, rate);
   }
 
   /// The rate of the most frequent frame between the first object and the root [Hz].
@@ -195,6 +197,23 @@ class DraftWriter {
     out_ << "  # Beside the way of " << object.name << ", which it follows with its eye.\n"
          << "  pose: {position: [" << fixed(p_G.x(), 2) << ", " << fixed(p_G.y(), 2) << ", "
          << fixed(p_G.z(), 2) << "], look_at: " << quoted(object.name) << "}\n";
+  }
+
+  /// For formats that are made of a lidar's points: on top of the first object.
+  void writeLidar() {
+    const std::vector<std::string>& formats = inputs_.formats;
+    if (std::find(formats.begin(), formats.end(), "semantic_kitti") == formats.end()) return;
+    out_ << "# The lidar (docs/lidar.md); a sweep has to end before the next scene's begins.\n"
+            "lidars:\n  top:\n    model: VLP-16\n    rate: "
+         << fixed(sweep_rate_, 1) << '\n';
+    if (followed_ == nullptr) {
+      gap("    pose: {position: [0, 0, 1], rpy: [0, 0, 0]}", "where does the lidar stand?");
+    } else {
+      const DraftInputs::Object& object = inputs_.objects.front();
+      out_ << "    mounted_on: " << quoted(object.name) << "\n    pose: {position: [0, 0, "
+           << fixed(object.size > 0.0 ? object.size : kUnknownSize, 2) << "], rpy: [0, 0, 0]}\n";
+    }
+    out_ << '\n';
   }
 
   void writeObjects() {
@@ -291,6 +310,7 @@ class DraftWriter {
   const DraftInputs& inputs_;
   std::vector<std::optional<motion::RobotFrame>> robots_;  ///< of the objects
   const RecordedFrame* followed_ = nullptr;                ///< of the first object
+  double sweep_rate_ = 10.0;                               ///< turns of a lidar in a second [Hz]
   std::ostringstream out_;
   std::vector<std::string> gaps_;
 };

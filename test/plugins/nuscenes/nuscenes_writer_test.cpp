@@ -1,3 +1,8 @@
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +15,8 @@ namespace nuscenes_writer_test {
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
 
 class NuScenes : public PluginTest {
  protected:
@@ -110,6 +117,84 @@ TEST_F(NuScenes, HasOneAnnotationOfWhatSeveralCamerasSee) {
   EXPECT_EQ(annotations[0]["next"], "") << "the other one is in another split";
   EXPECT_EQ(table("image_annotations").size(), 4U);
   EXPECT_EQ(table("sample_data")[1]["filename"], "samples/CAM_RIGHT/right_00000000.jpg");
+}
+
+class NuScenesWithLidar : public NuScenes {
+ protected:
+  NuScenesWithLidar() { dataset_.lidars = {{"top", "top_link"}}; }
+
+  /// The cloud has a point of the world, then two of each object.
+  Scene ofBoth(std::int64_t index) {
+    SceneObject fork_lift = hidden(object("b"));
+    fork_lift.instance = 2;
+    fork_lift.class_id = 1;
+    return withCloud(scene(index, {seen("a", {10, 20, 30, 40}), fork_lift}));
+  }
+
+  [[nodiscard]] std::string bytesOf(const json& filename) const {
+    return test::readFile(folder() + filename.get<std::string>());
+  }
+};
+
+TEST_F(NuScenesWithLidar, HasItsPointsInNuScenesFrame) {
+  load({});
+  runAll({ofBoth(0)});
+  const json sensor = table("sensor").back();
+  EXPECT_EQ(sensor["channel"], "LIDAR_TOP");
+  const json data = table("sample_data").back();
+  EXPECT_EQ(data["filename"], "samples/LIDAR_TOP/00000000.pcd.bin");
+  const std::string bytes = bytesOf(data["filename"]);
+  ASSERT_EQ(bytes.size(), 5U * 5U * sizeof(float));
+  std::array<float, 10> numbers{};
+  std::memcpy(numbers.data(), bytes.data(), sizeof numbers);
+  // Its second point is 1.25 m ahead of the scanner and 1 m to its left.
+  EXPECT_THAT(std::vector<float>(numbers.begin() + 5, numbers.end()),
+              ElementsAre(-1.0F, 1.25F, 0.5F, 127.5F, 0.0F));
+  const json calibrated = recordOf("calibrated_sensor", data["calibrated_sensor_token"]);
+  const json& q = calibrated["rotation"];
+  const Eigen::Quaterniond R_EN(q[0].get<double>(), q[1].get<double>(), q[2].get<double>(),
+                                q[3].get<double>());
+  EXPECT_LT((R_EN * Eigen::Vector3d(-1.0, 1.25, 0.5) - Eigen::Vector3d(1.25, 1.0, 0.5)).norm(),
+            1e-9);
+}
+
+TEST_F(NuScenesWithLidar, HasACategoryOfEachPoint) {
+  dataset_.world_classes = {"rover", "wall"};
+  load({});
+  runAll({ofBoth(0)});
+  std::map<std::string, int> numbers;
+  for (const json& each : table("category")) numbers[each["name"]] = each["index"];
+  EXPECT_THAT(numbers, ElementsAre(Pair("fork lift", 2), Pair("noise", 0), Pair("rover", 1),
+                                   Pair("wall", 3)));
+  const json lidarseg = table("lidarseg")[0];
+  EXPECT_EQ(lidarseg["sample_data_token"], table("sample_data").back()["token"]);
+  EXPECT_EQ(bytesOf(lidarseg["filename"]), std::string("\0\1\1\2\2", 5));
+}
+
+TEST_F(NuScenesWithLidar, AnnotatesWhatNoCameraSeesButTheLidarMeets) {
+  load({});
+  runAll({ofBoth(0)});
+  const json annotations = table("sample_annotation");
+  ASSERT_EQ(annotations.size(), 2U);
+  EXPECT_EQ(annotations[0]["num_lidar_pts"], 2) << "points, not pixels";
+  EXPECT_EQ(annotations[1]["num_lidar_pts"], 2);
+  EXPECT_EQ(annotations[1]["visibility_token"], "1");
+  EXPECT_EQ(table("image_annotations").size(), 1U);
+}
+
+TEST_F(NuScenesWithLidar, LeavesOutWhatHasTooFewPoints) {
+  load({{"min_points", 3}, {"lidarseg", false}});
+  runAll({ofBoth(0)});
+  EXPECT_THAT(table("sample_annotation"), IsEmpty());
+  EXPECT_THAT(table("image_annotations"), IsEmpty());
+  EXPECT_FALSE(std::filesystem::exists(folder() + "v1.0-trainval/lidarseg.json"));
+}
+
+TEST_F(NuScenesWithLidar, MayBeWrittenWithoutIt) {
+  load({{"lidar", "none"}});
+  runAll({ofBoth(0)});
+  EXPECT_EQ(table("sensor").size(), 1U);
+  EXPECT_EQ(table("sample_annotation")[0]["num_lidar_pts"], 30 * 40);
 }
 
 /// nuscenes-devkit, python-sdk/nuscenes/utils/splits.py.
