@@ -179,4 +179,25 @@ LoaderDataset camerasAndSplits() {
   return dataset;
 }
 
+LoaderDataset lidarScenes() {
+  LoaderDataset dataset({rover("alpha", "0.9 0.2 0.1"), rover("bravo", "0.1 0.3 0.9"), frame()});
+  const auto upright = [](double x, double z) { return turnedAboutX({x, 0.1, z}, kPi / 2.0); };
+  constexpr int kTimes = 6;
+  for (int i = 0; i < kTimes; ++i) {
+    // `bravo` is to the left of the picture.
+    dataset.addTime({{"alpha", upright(0.1, 2.0)},
+                     {"bravo", upright(-2.2, 2.0)},
+                     {"frame", upright(0.3, 3.0)}});
+  }
+  const Value::Map beams{{"count", 48}, {"first", -0.3}, {"last", 0.3}};
+  // x ahead is the optical frame's z, y left its -x.
+  const Value::List pose{0.0, -0.2, 0.1, -0.5, 0.5, -0.5, 0.5};
+  dataset.set("lidars", Value::Map{{"top", Value::Map{{"beams", beams},
+                                                      {"columns", 400},
+                                                      {"azimuth", Value::List{1.0, -1.0}},
+                                                      {"pose", pose}}}});
+  dataset.set("split", Value::Map{{"train", 0.5}, {"val", 0.5}});
+  return dataset;
+}
+
 }  // namespace synthetic_dataset::test

@@ -21,4 +21,7 @@ namespace synthetic_dataset::test {
 /// Two cameras, and scenes in the splits train, val and test.
 [[nodiscard]] LoaderDataset camerasAndSplits();
 
+/// A lidar beside the camera, which it sees farther around, in two splits; everything stands.
+[[nodiscard]] LoaderDataset lidarScenes();
+
 }  // namespace synthetic_dataset::test

@@ -114,6 +114,26 @@ class KittiPreparationTest(LoaderCase):
                     points += sum(info['annos']['num_points_in_gt'])
         self.assertGreater(points, 10000)
 
+    def test_mmdetection3d_finds_a_lidars_points_in_their_boxes(self):
+        utils = preparation()
+        for truth, folder in self.datasets('kitti_lidar', ['lidar']):
+            for split in ('train', 'val'):
+                infos = utils.get_kitti_image_info(str(folder), training=True, velodyne=True, calib=True,
+                                                   image_ids=listed(folder, split), num_worker=1)
+                self.assertEqual(len(infos), len(truth.of_split(split)))
+                for info, scene in zip(infos, truth.of_split(split)):
+                    points = np.fromfile(folder / info['point_cloud']['velodyne_path'], np.float32).reshape(-1, 4)
+                    transform = info['calib']['R0_rect'] @ info['calib']['Tr_velo_to_cam']
+                    in_camera = (np.c_[points[:, :3], np.ones(len(points))] @ transform.T)[:, :3]
+                    for i, each in enumerate(scene.labelled):
+                        length, height, width = info['annos']['dimensions'][i]
+                        box = corners_of({'dimensions': np.array([height, width, length]) + 1e-3,
+                                          'location': info['annos']['location'][i] + [0, 5e-4, 0],
+                                          'rotation_y': info['annos']['rotation_y'][i]})
+                        own = in_camera[scene.cloud.instances == each.instance]
+                        self.assertGreater(len(own), 50)
+                        self.assertTrue(np.all(Delaunay(box).find_simplex(own) >= 0), each.name)
+
     def test_points_of_an_object_are_in_its_box(self):
         """As OpenPCDet counts them, of objects that stand upright; but for single ones of faces that are seen along
         themselves, where a millimetre farther away is not a millimetre farther in."""

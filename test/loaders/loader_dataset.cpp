@@ -75,10 +75,13 @@ Value objectValue(const LoaderObject& object, std::size_t index, const Temporary
 
 /// The parameter `writers` and the groups of the writers in it.
 void addWriters(Value::Map& parameters) {
+  const bool has_lidars = parameters.count("lidars") != 0;
   const Value file = base::loadYamlFile(kFolder + "/writers.yaml");
   Value::List writers;
   for (const Value& each : *file.as<Value::List>()) {
     Value::Map entry = *each.as<Value::Map>();
+    const bool is_truth = entry.at("type") == Value("test/Truth");
+    if (!is_truth && has_lidars != (entry.erase("lidar") != 0)) continue;
     const auto settings = entry.find("settings");
     if (settings != entry.end()) {
       parameters[*entry.at("name").as<std::string>()] = settings->second;

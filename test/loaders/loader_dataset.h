@@ -73,7 +73,8 @@ class LoaderDataset {
   /// Parameters beside those that every dataset has.
   void set(const std::string& name, const Value& value) { parameters_[name] = value; }
 
-  /// Makes the dataset with all writers of writers.yaml.
+  /// Makes the dataset with all writers of writers.yaml; with lidars, with those that are marked by
+  /// `lidar` there, else with the others.
   void generate(const std::filesystem::path& folder) const;
 
  private:

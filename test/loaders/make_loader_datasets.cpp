@@ -6,6 +6,7 @@
 #include <iostream>
 #include <string>
 
+#include "lidar/lidar_options.h"
 #include "loaders/hard_cases.h"
 #include "support/writers/plugin_environment.h"
 #include "synthetic_dataset/errors.h"
@@ -21,6 +22,7 @@ void makeAll(const fs::path& folder) {
   test::emptyScenes().generate(folder / "empty");
   test::manyObjects().generate(folder / "many");
   test::camerasAndSplits().generate(folder / "cameras");
+  if (lidar::canCastRays()) test::lidarScenes().generate(folder / "lidar");
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 """nuScenes by its devkit: tables, and boxes in images."""
+import pathlib
 import unittest
 
 import numpy as np
 from nuscenes.nuscenes import NuScenes
-from nuscenes.utils.geometry_utils import BoxVisibility, view_points
+from nuscenes.utils.data_classes import LidarPointCloud
+from nuscenes.utils.data_io import load_bin_file
+from nuscenes.utils.geometry_utils import BoxVisibility, points_in_box, view_points
 from nuscenes.utils.splits import create_splits_scenes
 
 from loader_case import LoaderCase, read_picture
@@ -76,6 +79,49 @@ class NuScenesTest(LoaderCase):
             expected = {(scene.instant, each.instance) for scene in truth.scenes
                         for each in scene.labelled}
             self.assertEqual(len(database.sample_annotation), len(expected))
+
+    def lidar(self):
+        """Yields each scene with the devkit's database and the record of its cloud."""
+        for truth, folder in self.datasets('nuscenes_lidar', ['lidar']):
+            database = NuScenes('v1.0-trainval', str(folder), verbose=False,
+                                colormap={name: (9, 9, 9) for name in ('noise', 'rover', 'frame')})
+            for scene in truth.scenes:
+                sample = next(each for each in database.sample if each['timestamp'] == scene.stamp_ns // 1000)
+                yield scene, database, sample['data']['LIDAR_TOP']
+
+    def test_lidars_points_are_where_the_objects_are(self):
+        for scene, database, token in self.lidar():
+            file, boxes, _ = database.get_sample_data(token, box_vis_level=BoxVisibility.NONE)
+            cloud = LidarPointCloud.from_file(file)
+            self.assertEqual(cloud.points.shape[1], len(scene.cloud.points))
+            self.assert_close(np.fromfile(file, '<f4').reshape(-1, 5)[:, 4], scene.cloud.rings, 0)
+            expected = {each.instance for each in scene.objects} & set(scene.cloud.instances)
+            self.assertEqual(len(boxes), len(expected))
+            for box in boxes:
+                annotation = database.get('sample_annotation', box.token)
+                own = scene.cloud.instances == int(annotation['instance_token'][-14:], 16) + 1
+                box.wlh += 2e-4
+                inside = points_in_box(box, cloud.points[:3])
+                self.assertTrue(np.all(inside[own]))
+                self.assertEqual(annotation['num_lidar_pts'], np.count_nonzero(own))
+
+    def test_lidarseg_has_the_category_of_each_point(self):
+        for scene, database, token in self.lidar():
+            record = database.get('lidarseg', token)
+            found = load_bin_file(str(pathlib.Path(database.dataroot) / record['filename']))
+            of_object = {each.instance: each.class_name for each in scene.objects}
+            names = [database.lidarseg_idx2name_mapping[each] for each in found.tolist()]
+            self.assertEqual(names, [of_object.get(each, 'noise') for each in scene.cloud.instances])
+
+    def test_lidars_points_fall_on_the_pixels_of_their_objects(self):
+        for scene, database, token in self.lidar():
+            sample = database.get('sample', database.get('sample_data', token)['sample_token'])
+            points, _, _ = database.explorer.map_pointcloud_to_image(token, sample['data']['CAM_FRONT'],
+                                                                     min_dist=0.1, render_intensity=True)
+            u, v = np.round(points[:2]).astype(int)
+            near = [scene.instances[b - 2:b + 3, a - 2:a + 3].any() for a, b in zip(u, v)
+                    if 3 < a < scene.width - 3 and 3 < b < scene.height - 3]
+            self.assertGreater(np.mean(near), 0.8)
 
     def test_two_dimensional_boxes_are_those_of_the_visible_pixels(self):
         for scene, database, record in self.loaded():

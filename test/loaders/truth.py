@@ -53,6 +53,18 @@ class Object:
         return np.asarray(points_O) @ self.X_CO[:3, :3].T + self.X_CO[:3, 3]
 
 
+class Cloud:
+    """What a lidar measures of a scene, point by point."""
+
+    def __init__(self, content):
+        self.X_GS = np.array(content['X_GS'])
+        numbers = np.array(content['points'], float).reshape(-1, 9)
+        self.points = numbers[:, :3]  # as if the scanner had stood still
+        self.intensities = numbers[:, 3]
+        self.rings, self.columns, self.instances, self.classes, self.world_classes = (
+            numbers[:, 4:].astype(int).T)
+
+
 class Scene:
     """One scene; what is in its JSON file are its attributes."""
 
@@ -81,6 +93,10 @@ class Scene:
     @functools.cached_property
     def image(self):
         return read_picture(f'{self._files}.image.png')
+
+    @functools.cached_property
+    def cloud(self):
+        return Cloud(json.loads(pathlib.Path(f'{self._files}.cloud.json').read_text()))
 
     @functools.cached_property
     def instances(self):

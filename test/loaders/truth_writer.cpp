@@ -69,6 +69,21 @@ Json camera(const CameraModel& model) {
           {"far", model.far()}};
 }
 
+Json cloud(const Cloud& given) {
+  Json points = Json::array();
+  for (const CloudPoint& each : given.points) {
+    for (const float number : {each.position_at_stamp_S.x(), each.position_at_stamp_S.y(),
+                               each.position_at_stamp_S.z(), each.intensity}) {
+      points.push_back(number);
+    }
+    for (const int number :
+         {each.ring, each.column, each.instance, each.class_number, each.world_class}) {
+      points.push_back(number);
+    }
+  }
+  return {{"X_GS", matrix(given.X_GS)}, {"points", std::move(points)}};
+}
+
 Json object(const SceneObject& given) {
   Json keypoints = Json::array();
   for (const Keypoint& each : given.keypoints) keypoints.push_back(keypoint(each));
@@ -101,7 +116,8 @@ Json object(const SceneObject& given) {
 
 /// All that a scene knows, free of any format: `N.json` and the pictures `N.image.png`,
 /// `N.instances.png`, `N.classes.png`, `N.depth.tiff`, `N.silhouette_I.png`, `N.visible_I.png`,
-/// where I is the object's instance; `dataset.json`. What the tests of loaders compare with.
+/// where I is the object's instance; `N.cloud.json` of a lidar; `dataset.json`. What the tests of
+/// loaders compare with.
 class TruthWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& /*parameters*/, const DatasetInfo& dataset) override {
@@ -116,6 +132,7 @@ class TruthWriter : public LabelWriter {
     requirements.keypoint_states = true;
     requirements.class_map = true;
     requirements.depth = true;
+    requirements.clouds = !dataset_.lidars.empty();
     return requirements;
   }
 
@@ -141,6 +158,9 @@ class TruthWriter : public LabelWriter {
       output.addMask(scene.name + ".visible_" + number + ".png", each.visible_mask());
     }
     output.addText(scene.name + ".json", json.dump());
+    if (!dataset_.lidars.empty()) {
+      output.addText(scene.name + ".cloud.json", cloud(*scene.clouds().front()).dump());
+    }
     output.addRecord("scenes", scene.name);
   }
 
