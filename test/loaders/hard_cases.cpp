@@ -191,7 +191,7 @@ LoaderDataset lidarScenes() {
   }
   const Value::Map beams{{"count", 48}, {"first", -0.3}, {"last", 0.3}};
   // x ahead is the optical frame's z, y left its -x.
-  const Value::List pose{0.0, -0.2, 0.1, -0.5, 0.5, -0.5, 0.5};
+  const Value::List pose{0.0, -0.2, 0.1, 0.5, -0.5, 0.5, 0.5};
   dataset.set("lidars", Value::Map{{"top", Value::Map{{"beams", beams},
                                                       {"columns", 400},
                                                       {"azimuth", Value::List{1.0, -1.0}},
