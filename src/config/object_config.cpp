@@ -1,6 +1,7 @@
 #include "config/readers.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -8,7 +9,6 @@
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
 #include "synthetic_dataset/nearest_name.h"
-#include "world/files/template_file.h"
 
 namespace synthetic_dataset::config {
 namespace {
@@ -202,9 +202,12 @@ std::map<std::string, std::string> readModelArguments(Parameters& group) {
   return arguments;
 }
 
-/// Of a model that is no template they would change nothing.
+/// Templates take arguments, as world/files/template_file.h has them; of any other model they would
+/// change nothing.
 void checkModelArguments(Parameters& group, const scene::ObjectOptions& object) {
-  if (object.model_arguments.empty() || !object.model || world::isTemplate(*object.model)) return;
+  if (object.model_arguments.empty() || !object.model) return;
+  const std::string ending = std::filesystem::path(*object.model).extension();
+  if (ending == ".xacro" || ending == ".jinja" || ending == ".j2") return;
   group.addError("model_arguments",
                  "found together with a model that is no xacro file; only names that end in "
                  ".xacro, or .jinja, "
