@@ -28,8 +28,10 @@ TEST_P(VerifyEveryFormat, FindsNothingWrong) {
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithoutObjectsInView) {
   Scene empty = sceneOfBoth(0);
   for (SceneObject& each : empty.objects) {
+    const auto instance = each.instance;
     each = object(each.name);
     each.id = each.name;
+    each.instance = instance;
     each.in_view = false;
     each.keypoints.resize(1);
   }
