@@ -241,8 +241,6 @@ cv::Mat lightOf(const cv::Mat& pixels) {
 
 }  // namespace
 
-void startPictureDecoder() { keptDecoder().start(); }
-
 PictureSize checkPicture(const Bytes& file, const std::string& name) {
   static_cast<void>(checked(file));
   const std::optional<PictureSize> size = claimedSize(file);

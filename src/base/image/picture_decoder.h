@@ -15,10 +15,6 @@ namespace synthetic_dataset::base {
 constexpr std::uint64_t kLongestPictureSide = 16384;
 constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 27U;
 
-/// Starts the process in which pictures are decoded, best while this process is small, from which
-/// it is forked. Without, the first picture starts it.
-void startPictureDecoder();
-
 /// Decodes a picture file of any format that OpenCV or FreeImage knows: PNG, JPEG, BMP, TIFF, WebP,
 /// TGA, GIF (its first picture), DDS, PSD, PGM and more; of any depth; grey, with a palette, with
 /// alpha. The size is checked before anything is decoded, and a decoder that crashes takes nothing

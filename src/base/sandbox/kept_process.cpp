@@ -27,11 +27,15 @@ struct Head {
   bool is_done = true;
 };
 
-bool sendAll(int to, const void* data, std::size_t size) {
+/// @param is_ready  waits until something may be sent or is there; what is done is ended where it
+/// says no
+template <class IsReady>
+bool sendAll(int to, const void* data, std::size_t size, const IsReady& is_ready) {
   const auto* bytes = static_cast<const char*>(data);
   while (size > 0) {
-    const ssize_t sent = send(to, bytes, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
+    if (!is_ready(POLLOUT)) return false;
+    const ssize_t sent = send(to, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (sent <= 0) return false;
     bytes += sent;
     size -= static_cast<std::size_t>(sent);
@@ -39,17 +43,18 @@ bool sendAll(int to, const void* data, std::size_t size) {
   return true;
 }
 
-bool sendMessage(int to, std::string_view content, bool is_done = true) {
+template <class IsReady>
+bool sendMessage(int to, std::string_view content, bool is_done, const IsReady& is_ready) {
   const Head head{content.size(), is_done};
-  return sendAll(to, &head, sizeof(head)) && sendAll(to, content.data(), content.size());
+  return sendAll(to, &head, sizeof(head), is_ready) &&
+         sendAll(to, content.data(), content.size(), is_ready);
 }
 
-/// @param may_wait  asked before each read; it is ended where that says no
-template <class MayWait>
-bool receiveAll(int from, void* data, std::size_t size, const MayWait& may_wait) {
+template <class IsReady>
+bool receiveAll(int from, void* data, std::size_t size, const IsReady& is_ready) {
   auto* bytes = static_cast<char*>(data);
   while (size > 0) {
-    if (!may_wait()) return false;
+    if (!is_ready(POLLIN)) return false;
     const ssize_t count = recv(from, bytes, size, 0);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return false;
@@ -76,21 +81,26 @@ void closeAllBut(int kept) {
                             const SandboxLimits& limits, int socket) {
   closeAllBut(socket);
   becomeSandboxed(limits);
-  const auto for_ever = [] { return true; };
+  const auto is_ready = [socket](short event) {
+    pollfd end{socket, event, 0};
+    while (poll(&end, 1, -1) < 0 && errno == EINTR) {
+    }
+    return true;
+  };
   Head head;
-  while (receiveAll(socket, &head, sizeof(head), for_ever)) {
+  while (receiveAll(socket, &head, sizeof(head), is_ready)) {
     std::string answer;
     bool is_done = true;
     try {
       std::string request(head.size, '\0');
-      if (!receiveAll(socket, request.data(), request.size(), for_ever)) break;
+      if (!receiveAll(socket, request.data(), request.size(), is_ready)) break;
       limitSandboxTime(limits.processor_time);
       answer = work(request);
     } catch (const std::exception&) {
       is_done = false;
     }
     alarm(0);
-    if (!sendMessage(socket, answer, is_done)) break;
+    if (!sendMessage(socket, answer, is_done, is_ready)) break;
   }
   _exit(0);  // without the parent's exit handlers and buffers
 }
@@ -104,11 +114,6 @@ KeptProcess::KeptProcess(std::function<std::string(std::string_view)> work,
 KeptProcess::~KeptProcess() { stop(); }
 
 bool KeptProcess::isThere() const { return child_ >= 0 && owner_ == getpid(); }
-
-void KeptProcess::start() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!isThere()) launch();
-}
 
 void KeptProcess::launch() {
   stop();
@@ -141,13 +146,13 @@ std::optional<std::string> KeptProcess::ask(std::string_view request) {
   return answer;
 }
 
-/// A process that sends nothing and waits without using the processor waits for a lock that nobody
-/// will ever unlock there, as SandboxLimits::idle has it.
+/// A process that neither takes nor sends anything and waits without using the processor waits for
+/// a lock that nobody will ever unlock there, as SandboxLimits::idle has it.
 std::optional<std::string> KeptProcess::answerTo(std::string_view request) const {
   std::int64_t before = -1;
-  const auto it_works = [&] {
+  const auto it_works = [&](short event) {
     while (true) {
-      pollfd end{socket_, POLLIN, 0};
+      pollfd end{socket_, event, 0};
       const int ready = poll(&end, 1, static_cast<int>(limits_.idle.count()));
       if (ready > 0) return true;
       if (ready < 0 && errno != EINTR) return false;
@@ -157,8 +162,8 @@ std::optional<std::string> KeptProcess::answerTo(std::string_view request) const
     }
   };
   Head head;
-  if (!sendMessage(socket_, request) || !receiveAll(socket_, &head, sizeof(head), it_works) ||
-      !head.is_done) {
+  if (!sendMessage(socket_, request, true, it_works) ||
+      !receiveAll(socket_, &head, sizeof(head), it_works) || !head.is_done) {
     return std::nullopt;
   }
   std::string answer(head.size, '\0');

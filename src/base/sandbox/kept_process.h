@@ -14,7 +14,7 @@ namespace synthetic_dataset::base {
 /// than a small piece does: the kernel copies the tables of a large process's memory, and then each
 /// page that changes.
 ///
-/// It is started with the first piece or by start(), anew after one that failed, and ends with
+/// It is started with the first piece, anew after one that failed, and ends with
 /// this. Of pieces that fail, or whose process breaks down, runSandboxed() says what is wrong.
 class KeptProcess {
  public:
@@ -24,9 +24,6 @@ class KeptProcess {
   ~KeptProcess();
   KeptProcess(const KeptProcess&) = delete;
   KeptProcess& operator=(const KeptProcess&) = delete;
-
-  /// Starts it if there is none, best while this process is small.
-  void start();
 
   /// Has a piece of work done; one at a time, in any thread.
   /// @return the answer, or nothing where it failed

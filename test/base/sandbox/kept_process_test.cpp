@@ -1,6 +1,7 @@
 #include "base/sandbox/kept_process.h"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -106,11 +107,25 @@ TEST(KeptProcess, KeepsNoFileOpen) {
   close(file);
 }
 
+/// Where set, a forked process waits before it has read anything, as for a lock that it has
+/// inherited.
+bool waits_after_fork = false;
+
+TEST(KeptProcess, FailsWhereTheProcessNeverTakesTheRequest) {
+  pthread_atfork(nullptr, nullptr, [] {
+    if (waits_after_fork) pause();
+  });
+  KeptProcess process(obey, shortLimits());
+  waits_after_fork = true;
+  EXPECT_EQ(process.ask(std::string(std::size_t{5} << 20U, 'x')), std::nullopt);
+  waits_after_fork = false;
+  EXPECT_THAT(process.ask("a"), Optional(Eq("a!")));
+}
+
 TEST(KeptProcess, EndsWithItsOwner) {
   int process_number = 0;
   {
     KeptProcess process(obey, shortLimits());
-    process.start();
     process_number = std::stoi(process.ask("process").value());
     EXPECT_EQ(kill(process_number, 0), 0);
   }
