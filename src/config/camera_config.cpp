@@ -91,6 +91,10 @@ void readEffects(Parameters group, scene::CameraOptions& camera) {
   effects.blur = read("blur", 0.0, kWidestBlur);
   effects.vignetting = read("vignetting", 0.0, 1.0);
   effects.full_well = read("full_well", 0.0, kLargestWell);
+  effects.white_balance =
+      group.maybeBetween("white_balance", render::kReddestLight, render::kBluestLight)
+          .value_or(render::kNeutralWhite);
+  effects.jpeg_quality = group.maybeBetween("jpeg_quality", 1, 100).value_or(0);
   camera.noise_mean = group.maybeBetween("noise_mean", -1.0, 1.0);
   camera.noise_stddev = group.maybeBetween("noise_stddev", 0.0, 1.0);
 }

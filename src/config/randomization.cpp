@@ -115,6 +115,9 @@ randomize::SensorRandomization readSensor(Parameters group) {
   sensor.exposure = maybeDistribution(group, "exposure", {1, -kMostStops, kMostStops});
   sensor.blur = maybeDistribution(group, "blur", {1, 0.0, kWidestBlur});
   sensor.noise_stddev = maybeDistribution(group, "noise_stddev", {1, 0.0, 1.0});
+  sensor.white_balance =
+      maybeDistribution(group, "white_balance", {1, render::kReddestLight, render::kBluestLight});
+  sensor.jpeg_quality = maybeDistribution(group, "jpeg_quality", {1, 1.0, 100.0});
   // A fisheye may see all round; what each camera's lens can have is known later.
   constexpr double kNarrowestView = 0.01;  // [rad]
   sensor.field_of_view =

@@ -165,6 +165,11 @@ render::SensorEffects SceneVariation::varied(const render::SensorEffects& effect
   result.blur = draws.number("sensor/blur", sensor.blur).value_or(effects.blur);
   result.noise_stddev =
       draws.number("sensor/noise_stddev", sensor.noise_stddev).value_or(effects.noise_stddev);
+  result.white_balance =
+      draws.number("sensor/white_balance", sensor.white_balance).value_or(effects.white_balance);
+  if (const auto quality = draws.number("sensor/jpeg_quality", sensor.jpeg_quality)) {
+    result.jpeg_quality = static_cast<int>(std::lround(*quality));
+  }
   return result;
 }
 

@@ -84,13 +84,15 @@ TEST(ReadCameras, EffectsAreOffUnlessSet) {
 TEST(ReadCameras, EffectsAreRead) {
   const Reading reading(
       "camera: {info_file: /a.yaml, effects: {exposure_time: 0.02, motion_samples: 5, "
-      "noise_stddev: 0.01, vignetting: 0.3}}");
+      "noise_stddev: 0.01, vignetting: 0.3, white_balance: 4000, jpeg_quality: 60}}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
   const scene::CameraOptions& camera = reading.cameras[0];
   EXPECT_EQ(camera.shutter.exposure_time, std::chrono::milliseconds(20));
   EXPECT_EQ(camera.shutter.motion_samples, 5);
   EXPECT_EQ(camera.noise_stddev, 0.01);
   EXPECT_EQ(camera.effects.vignetting, 0.3);
+  EXPECT_EQ(camera.effects.white_balance, 4000.0);
+  EXPECT_EQ(camera.effects.jpeg_quality, 60);
 }
 
 TEST(ReadCameras, AreMountedOnAnObject) {

@@ -224,10 +224,12 @@ TEST(Randomization, RefusesACountOfLightsBesideLightsThatAreOnByChance) {
 TEST(Randomization, ReadsAllOfASensor) {
   const randomize::Randomization given = read(
       "{sensor: {exposure: {normal: [0, 1]}, blur: {uniform: [0, 1.5]}, noise_stddev: {uniform: "
-      "[0.01, 0.02]}}}");
+      "[0.01, 0.02]}, white_balance: {uniform: [5000, 8000]}, jpeg_quality: {uniform: [40, 95]}}}");
   expectRange(given.sensor.exposure, 1, -10.0, 10.0);
   expectRange(given.sensor.blur, 1, 0.0, 1.5);
   expectRange(given.sensor.noise_stddev, 1, 0.01, 0.02);
+  expectRange(given.sensor.white_balance, 1, 5000.0, 8000.0);
+  expectRange(given.sensor.jpeg_quality, 1, 40.0, 95.0);
 }
 
 TEST(Randomization, ReadsAllOfTheWeather) {
@@ -314,7 +316,7 @@ TEST(Randomization, AllowsTheEndsOfItsRanges) {
   (void)read(
       "{lights: {a: {present: 0, intensity: 0}, b: {present: 1, elevation: 1.5707}}, "
       "materials: {world: {colour: 1, roughness: 0, metalness: 1}}, sensor: {exposure: -10, "
-      "blur: 50, noise_stddev: 1}}");
+      "blur: 50, noise_stddev: 1, white_balance: 25000, jpeg_quality: 100}}");
 }
 
 TEST(Randomization, RefusesMaterialsOutOfRange) {

@@ -166,7 +166,9 @@ TEST_F(Variation, LeavesLabelsAndMasksAsTheyAre) {
       "{lights: {every: {intensity: {uniform: [0.1, 3]}, azimuth: {uniform: [-3, 3]}}}, ambient: "
       "{uniform: [0, 1]}, background: {uniform: [[0, 0, 0], 1]}, materials: {objects: {textures: "
       "procedural}, world: {colour: {uniform: [[0, 0, 0], 1]}}}, sensor: {exposure: {uniform: [-1, "
-      "1]}, noise_stddev: {uniform: [0.01, 0.05]}, blur: {uniform: [0.5, 2]}}, weather: "
+      "1]}, noise_stddev: {uniform: [0.01, 0.05]}, blur: {uniform: [0.5, 2]}, white_balance: "
+      "{uniform: [4000, 6000]}, "
+      "jpeg_quality: 60}, weather: "
       "{visibility: "
       "{uniform: [2, 20]}, rain: 30, snow: 2, dust: 0.1}}");
   Files varied = filesAnew();

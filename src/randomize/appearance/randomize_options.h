@@ -81,9 +81,11 @@ struct ObjectRandomization {
 /// What is drawn anew of a camera's sensor and lens; nothing: as `effects` and the calibration have
 /// it.
 struct SensorRandomization {
-  std::optional<base::Distribution> exposure;      ///< [stops]
-  std::optional<base::Distribution> blur;          ///< [px], >= 0
-  std::optional<base::Distribution> noise_stddev;  ///< of the full scale, 0 .. 1
+  std::optional<base::Distribution> exposure;       ///< [stops]
+  std::optional<base::Distribution> blur;           ///< [px], >= 0
+  std::optional<base::Distribution> noise_stddev;   ///< of the full scale, 0 .. 1
+  std::optional<base::Distribution> white_balance;  ///< of the light that it is set for [K]
+  std::optional<base::Distribution> jpeg_quality;   ///< that it compresses with, 1 .. 100; rounded
 
   /// Horizontal, of the lens without its distortion's coefficients [rad]; instead of that of the
   /// calibration.

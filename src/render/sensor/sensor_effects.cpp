@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "base/random/random_seed.h"
@@ -67,6 +69,11 @@ void vignette(double strength, cv::Mat& light) {
   }
 }
 
+void balance(double kelvin, cv::Mat& light) {
+  const cv::Vec3f gains = whiteBalanceGains(kelvin);
+  cv::multiply(light, cv::Scalar(gains[0], gains[1], gains[2]), light);
+}
+
 /// The number of electrons is Poisson-distributed: for more than a handful, normal with a variance
 /// as large as its mean.
 void addShotNoise(double full_well, std::uint64_t seed, cv::Mat& light) {
@@ -100,24 +107,34 @@ cv::Mat withReadNoise(const cv::Mat& picture, const SensorEffects& effects, std:
   return noisy;
 }
 
+/// What compression leaves of it.
+cv::Mat compressed(const cv::Mat& picture, int quality) {
+  std::vector<unsigned char> file;
+  cv::imencode(".jpg", picture, file, {cv::IMWRITE_JPEG_QUALITY, quality});
+  return cv::imdecode(file, cv::IMREAD_COLOR);
+}
+
 }  // namespace
 
 double gainOf(const SensorEffects& effects) { return std::exp2(effects.exposure); }
 
 cv::Mat applyEffects(const cv::Mat& picture, const SensorEffects& effects, std::uint64_t seed) {
   cv::Mat result = picture;
-  if (effects.blur > 0.0 || effects.vignetting > 0.0 || effects.full_well > 0.0) {
+  const bool is_tinted = effects.white_balance != kNeutralWhite;
+  if (effects.blur > 0.0 || effects.vignetting > 0.0 || effects.full_well > 0.0 || is_tinted) {
     cv::Mat light = toLinear(picture);
     if (effects.blur > 0.0) {
       cv::GaussianBlur(light, light, cv::Size(), effects.blur, effects.blur, cv::BORDER_REPLICATE);
     }
     if (effects.vignetting > 0.0) vignette(effects.vignetting, light);
     if (effects.full_well > 0.0) addShotNoise(effects.full_well, seed, light);
+    if (is_tinted) balance(effects.white_balance, light);
     result = toSrgb(light);
   }
   if (effects.noise_mean != 0.0 || effects.noise_stddev > 0.0) {
     result = withReadNoise(result, effects, seed);
   }
+  if (effects.jpeg_quality > 0) result = compressed(result, effects.jpeg_quality);
   return result;
 }
 

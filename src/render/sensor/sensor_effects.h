@@ -12,8 +12,9 @@ namespace synthetic_dataset::render {
 /// The factor on all light that is the effects' exposure.
 [[nodiscard]] double gainOf(const SensorEffects& effects);
 
-/// Applies what happens behind the shutter, in the order of a camera: blur, vignetting and shot
-/// noise in linear light, then Gaussian noise on the encoded values (as SDF's camera noise).
+/// Applies what happens behind the shutter, in the order of a camera: blur, vignetting, shot noise
+/// and white balance in linear light, Gaussian noise on the encoded values (as SDF's camera noise),
+/// then JPEG's compression.
 /// @param picture  CV_8UC3, sRGB-encoded; given back as it is where there is nothing to do
 /// @param seed  of the noise: the same seed gives the same picture
 [[nodiscard]] cv::Mat applyEffects(const cv::Mat& picture, const SensorEffects& effects,

@@ -161,7 +161,7 @@ bool variesByItself(const MotionSetup& motion) {
                   [](const scene::CameraRig& camera) { return camera.sampled; });
   return is_sampled || drawn.changesLook() || !drawn.objects.empty() || drawn.distractors ||
          drawn.weather.changesAir() || drawn.sensor.exposure || drawn.sensor.blur ||
-         drawn.sensor.field_of_view;
+         drawn.sensor.field_of_view || drawn.sensor.white_balance || drawn.sensor.jpeg_quality;
 }
 
 /// The frames of the links that move against their objects, too.

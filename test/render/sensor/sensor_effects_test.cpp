@@ -98,5 +98,30 @@ TEST(SensorEffects, BlurSpreadsAPointByItsDeviation) {
   EXPECT_NEAR(centre, 1.0 / (2.0 * 3.14159265 * 1.5 * 1.5), 0.003);
 }
 
+TEST(SensorEffects, AWhiteBalanceForBlueLightReddensAndKeepsTheLuminance) {
+  SensorEffects effects;
+  effects.white_balance = 10000.0;
+  const cv::Vec3b pixel = applyEffects(grey(120), effects, 1).at<cv::Vec3b>(3, 7);
+  EXPECT_LT(pixel[0] + 10, pixel[1]);
+  EXPECT_GT(pixel[2], pixel[1] + 10);
+  const auto& linear = linearFromSrgb();
+  EXPECT_NEAR(0.0722 * linear[pixel[0]] + 0.7152 * linear[pixel[1]] + 0.2126 * linear[pixel[2]],
+              linear[120], 0.003);
+}
+
+TEST(SensorEffects, CompressionLeavesGreysAndBlursFineColours) {
+  SensorEffects effects;
+  effects.jpeg_quality = 50;
+  EXPECT_TRUE(same(applyEffects(grey(128), effects, 1), grey(128)));
+  cv::Mat stripes = grey(0);
+  for (int u = 0; u < kSide; u += 2) stripes.col(u) = cv::Scalar(0, 0, 255);
+  const cv::Mat before = stripes.clone();
+  const cv::Mat after = applyEffects(stripes, effects, 1);
+  EXPECT_TRUE(same(stripes, before));
+  // Colours are halved in resolution: red runs into the black between.
+  EXPECT_LT(after.at<cv::Vec3b>(100, 100)[2], 230);
+  EXPECT_GT(after.at<cv::Vec3b>(100, 101)[2], 25);
+}
+
 }  // namespace sensor_effects_test
 }  // namespace synthetic_dataset::render

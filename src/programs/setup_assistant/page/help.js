@@ -67,6 +67,8 @@ const HELP = {
   'camera/effects/exposure': ['In steps that double the light.', 'cameras#sensor-effects'],
   'camera/effects/blur': ['Of the lens, as a standard deviation.', 'cameras#sensor-effects'],
   'camera/effects/vignetting': ['The share of light that corners lose.', 'cameras#sensor-effects'],
+  'camera/effects/white_balance': ['The light that it is set for; 6500 K is neutral.', 'cameras#sensor-effects'],
+  'camera/effects/jpeg_quality': ['With which the camera compresses; empty: it does not.', 'cameras#sensor-effects'],
   'camera/effects/noise_stddev': ['Gaussian, as a share of white.', 'cameras#sensor-effects'],
   'camera/effects/noise_mean': ['What the noise adds on average.', 'cameras#sensor-effects'],
   'camera/effects/full_well':

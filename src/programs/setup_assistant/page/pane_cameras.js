@@ -299,6 +299,8 @@ const EFFECTS = [
   ['noise_stddev', 'Noise', [0, 0.1], 0.001],
   ['noise_mean', 'Its mean', [-0.1, 0.1], 0.001],
   ['full_well', 'Electrons of a white pixel', null, 1000],
+  ['white_balance', 'White balance', [2000, 15000], 100],
+  ['jpeg_quality', 'JPEG quality', [1, 100], 1],
   ['exposure_time', 'Shutter is open', [0, 0.1], 0.001],
   ['motion_samples', 'Pictures averaged over that', [2, 32], 1],
   ['readout_time', 'First row to last', [0, 0.1], 0.001],

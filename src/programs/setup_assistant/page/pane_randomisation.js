@@ -30,6 +30,11 @@ function draw() {
         distribution(root('sensor', 'blur'), {label: 'Blur', range: [0, 5], start: {uniform: [0, 0.8]}}),
         distribution(root('sensor', 'noise_stddev'), {label: 'Noise', range: [0, 0.1], start: {uniform: [0, 0.015]}}),
         distribution(
+            root('sensor', 'white_balance'),
+            {label: 'White balance', range: [2000, 15000], start: {log_uniform: [5000, 8500]}}),
+        distribution(
+            root('sensor', 'jpeg_quality'), {label: 'JPEG quality', range: [1, 100], start: {uniform: [40, 95]}}),
+        distribution(
             root('sensor', 'field_of_view'), {label: 'Field of view', range: [0.2, 3], start: {uniform: [0.7, 1.4]}})),
     section('Weather', weather()),
     effective(['motion']) === 'placement' ? null : section('Time', distribution(root('time', 'jitter'), {
