@@ -11,6 +11,7 @@
 
 #include "render/parts/item_groups.h"
 #include "render/parts/surface_drawing.h"
+#include "render/pixels/lanes.h"
 #include "render/shaders.h"
 #include "render/shadows/shadow_raster.h"
 
@@ -101,17 +102,31 @@ cv::Rect cellsOf(const cv::Rect& texels) {
       cv::Point(cellOf(texels.x + texels.width - 1) + 1, cellOf(texels.y + texels.height - 1) + 1)};
 }
 
-/// Marks the cells of texels that are not 0.
-/// @param texels  CV_8UC1
-/// @param first  where these are in the map
+/// Marks the cells in which a piece is nearer to the light than what stands.
+/// @param standing  CV_32FC1: the whole map
 /// @param place  of the cells
-void markCells(const cv::Mat& texels, const cv::Point& first, const cv::Rect& place,
-               cv::Mat& cells) {
-  for (int row = 0; row < texels.rows; ++row) {
-    const auto* is_set = texels.ptr<unsigned char>(row);
-    auto* marked = cells.ptr<unsigned char>(cellOf(first.y + row) - place.y);
-    for (int column = 0; column < texels.cols; ++column) {
-      if (is_set[column] != 0) marked[cellOf(first.x + column) - place.x] = 255;
+void markNearer(const MapPiece& piece, const cv::Mat& standing, const cv::Rect& place,
+                cv::Mat& cells) {
+  static_assert(kCell == kLaneCount);
+  const cv::Rect& texels = piece.texels;
+  const int end = texels.x + texels.width;
+  for (int row = texels.y; row < texels.y + texels.height; ++row) {
+    const float* cast = piece.depths.ptr<float>(row - texels.y) - texels.x;
+    const float* behind = standing.ptr<float>(row);
+    auto* marked = cells.ptr<unsigned char>(cellOf(row) - place.y) - place.x;
+    for (int cell = cellOf(texels.x); cell * kCell < end; ++cell) {
+      if (marked[cell] != 0) continue;
+      const int first = std::max(cell * kCell, texels.x);
+      const int last = std::min((cell + 1) * kCell, end);
+      bool is_nearer = false;
+      if (last - first == kCell) {
+        is_nearer = cv::v_check_any(cv::v_load(cast + first) < cv::v_load(behind + first));
+      } else {
+        for (int column = first; column < last; ++column) {
+          is_nearer = is_nearer || cast[column] < behind[column];
+        }
+      }
+      if (is_nearer) marked[cell] = 255;
     }
   }
 }
@@ -241,7 +256,8 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
                                                 const LinkSelection& casting) {
   const int size = layerOf(shadow).size();
   const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
-  std::vector<MapPiece> pieces;
+  std::vector<Cast*> casts;
+  std::vector<std::pair<const DrawItem*, Cast*>> changed;
   for (const DrawItem& item : draw_list_.items()) {
     if (!item.casts_shadow || !casting[item.link] || item.stands_still) continue;
     if (placeOf(item, X_WL[item.link], shadow) == InLight::kNot) continue;
@@ -250,11 +266,21 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
     const auto [known, is_new] = casts_.try_emplace({shadow.map, &item});
     Cast& cast = known->second;
     if (is_new || cast.map_from_mesh != map_from_mesh || cast.fronts_alone != fronts_alone) {
-      const Eigen::Projective3f map_from_vertex(map_from_mesh.cast<float>());
-      cast = {map_from_mesh, fronts_alone,
-              castPiece(*item.shape, map_from_vertex, size, fronts_alone)};
+      cast = {map_from_mesh, fronts_alone, std::nullopt};
+      changed.emplace_back(&item, &cast);
     }
-    if (cast.piece) pieces.push_back(*cast.piece);
+    casts.push_back(&cast);
+  }
+  cv::parallel_for_(cv::Range(0, static_cast<int>(changed.size())), [&](const cv::Range& some) {
+    for (int i = some.start; i < some.end; ++i) {
+      const auto& [item, cast] = changed[static_cast<std::size_t>(i)];
+      const Eigen::Projective3f map_from_vertex(cast->map_from_mesh.cast<float>());
+      cast->piece = castPiece(*item->shape, map_from_vertex, size, cast->fronts_alone);
+    }
+  });
+  std::vector<MapPiece> pieces;
+  for (const Cast* cast : casts) {
+    if (cast->piece) pieces.push_back(*cast->piece);
   }
   return pieces;
 }
@@ -288,15 +314,22 @@ ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
     changed.place |= widenedBy(cellsOf(piece.texels), cell_reach);
   }
   changed.cells = cv::Mat::zeros(changed.place.size(), CV_8UC1);
-  cv::Mat differing;
-  for (const MapPiece& piece : layer.moving) {
-    cv::compare(piece.depths, layer.standing->depths()(piece.texels), differing, cv::CMP_LT);
-    const cv::Rect bounds = widenedBy(cellsOf(piece.texels), cell_reach);
-    cv::Mat cells = cv::Mat::zeros(bounds.size(), CV_8UC1);
-    markCells(differing, piece.texels.tl(), bounds, cells);
-    grow(cells, cell_reach);
-    cv::Mat target = changed.cells(bounds - changed.place.tl());
-    target |= cells;
+  const auto boundsOf = [&](const MapPiece& piece) {
+    return widenedBy(cellsOf(piece.texels), cell_reach);
+  };
+  std::vector<cv::Mat> cells(layer.moving.size());
+  cv::parallel_for_(cv::Range(0, static_cast<int>(cells.size())), [&](const cv::Range& some) {
+    for (auto i = static_cast<std::size_t>(some.start); i < static_cast<std::size_t>(some.end);
+         ++i) {
+      const MapPiece& piece = layer.moving[i];
+      cells[i] = cv::Mat::zeros(boundsOf(piece).size(), CV_8UC1);
+      markNearer(piece, layer.standing->depths(), boundsOf(piece), cells[i]);
+      grow(cells[i], cell_reach);
+    }
+  });
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cv::Mat target = changed.cells(boundsOf(layer.moving[i]) - changed.place.tl());
+    target |= cells[i];
   }
   return changed;
 }

@@ -185,7 +185,8 @@ class PieceRaster {
     for (int row = texels.y; row < texels.y + texels.height; ++row) {
       std::array<float, 3> first{};
       for (std::size_t i = 0; i < 3; ++i) first[i] = sides[i].at(texels.x, row);
-      for (int column = 0; column < texels.width; column += kLaneCount) {
+      const cv::Range columns = columnsWithin(sides, first, texels.width);
+      for (int column = columns.start; column < columns.end; column += kLaneCount) {
         const Lanes steps = lanes(static_cast<float>(column)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
         const Lanes covered = (lanes(first[0]) + lanes(sides[0].along_column) * steps >= zero) &
                               (lanes(first[1]) + lanes(sides[1].along_column) * steps >= zero) &
@@ -194,6 +195,25 @@ class PieceRaster {
         see(covered, depths.at({texels.x, row}, column), {texels.x + column, row});
       }
     }
+  }
+
+  /// The columns of a row that may be within all sides, and a few more: from a whole number of
+  /// lanes on.
+  /// @param first  what the sides tell of column 0
+  static cv::Range columnsWithin(const std::array<TexelSide, 3>& sides,
+                                 const std::array<float, 3>& first, int width) {
+    constexpr float kRounding = 1.0F;  // [texel], and more than that of what the lanes find
+    float begin = 0.0F;
+    auto end = static_cast<float>(width);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float slope = sides[i].along_column;
+      if (slope == 0.0F && first[i] < 0.0F) return {0, 0};
+      const float edge = -first[i] / slope;
+      if (slope > 0.0F) begin = std::max(begin, edge - kRounding);
+      if (slope < 0.0F) end = std::min(end, edge + kRounding + 1.0F);
+    }
+    if (begin >= end) return {0, 0};
+    return {static_cast<int>(begin) / kLaneCount * kLaneCount, static_cast<int>(std::ceil(end))};
   }
 
   /// Whole lanes: the piece has room for them behind its last column.
