@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <opencv2/core/types.hpp>
+#include <opencv2/core/utility.hpp>
 
 #include "render/edges/edge_smoother.h"
 #include "render/edges/sample_raster.h"
@@ -206,9 +207,9 @@ void smoothEdges(const DrawList& draw_list, const EdgeScene& scene, const LensSi
   if (edges.pixels().empty()) return;
   const RaySamples samples(draw_list, scene, sight, edges.pixels());
   const LensResolver resolver(seen, sight.lens->rays);
-  for (std::size_t i = 0; i < edges.pixels().size(); ++i) {
+  const auto smoothOne = [&](std::size_t i) {
     const cv::Point& pixel = edges.pixels()[i];
-    if (sight.lens->face.at<std::int16_t>(pixel) < 0) continue;
+    if (sight.lens->face.at<std::int16_t>(pixel) < 0) return;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
       sum += resolver.light(pixel, sample, samples.at(i, sample));
@@ -217,7 +218,13 @@ void smoothEdges(const DrawList& draw_list, const EdgeScene& scene, const LensSi
     picture.at<cv::Vec3b>(pixel) = {render::srgbFromLinear(light.z()),
                                     render::srgbFromLinear(light.y()),
                                     render::srgbFromLinear(light.x())};
-  }
+  };
+  cv::parallel_for_(cv::Range(0, static_cast<int>(edges.pixels().size())),
+                    [&](const cv::Range& some) {
+                      for (int i = some.start; i < some.end; ++i) {
+                        smoothOne(static_cast<std::size_t>(i));
+                      }
+                    });
 }
 
 }  // namespace synthetic_dataset::render

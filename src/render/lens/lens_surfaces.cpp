@@ -108,10 +108,9 @@ LensSurface lensSurfaceAt(const SeenByPixels& seen, const SurfaceLookup& lookup,
 /// A row of an image of four numbers a pixel, which becomes one of numbers of 16 bits.
 class HalfRow {
  public:
-  HalfRow(bool is_wanted, const cv::Size& size) {
-    if (!is_wanted) return;
-    image_ = cv::Mat(size, CV_16UC4);
-    numbers_ = cv::Mat::zeros(1, size.width, CV_32FC4);
+  /// @param image  CV_16UC4, or empty where it is not wanted
+  explicit HalfRow(const cv::Mat& image) : image_(image) {
+    if (!image.empty()) numbers_ = cv::Mat::zeros(1, image.cols, CV_32FC4);
   }
 
   void set(int column, const Eigen::Vector3f& three, float one) {
@@ -126,8 +125,6 @@ class HalfRow {
     std::copy_n(halves.ptr<std::uint16_t>(), std::ptrdiff_t{4} * (end - first),
                 image_.ptr<std::uint16_t>(row, first));
   }
-
-  [[nodiscard]] const cv::Mat& image() const { return image_; }
 
  private:
   cv::Mat image_;
@@ -147,18 +144,17 @@ Eigen::Vector3f rayStepOf(const LensMap& lens, int u, int v, int du, int dv) {
   return Eigen::Vector3f::Zero();
 }
 
-}  // namespace
-
-SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, bool is_classic,
-                         const cv::Rect& place, const cv::Mat& wanted) {
-  HalfRow base_roughness(true, place.size());
-  HalfRow normal_metalness(true, place.size());
-  HalfRow faces(planes.faces, place.size());
-  HalfRow glows(planes.glows, place.size());
+/// Finds some rows of surfacesOf().
+void findRows(const LensSight& sight, bool is_classic, const cv::Rect& place, const cv::Mat& wanted,
+              const cv::Range& rows, const SurfaceImages& images) {
+  HalfRow base_roughness(images.base_roughness);
+  HalfRow normal_metalness(images.normal_metalness);
+  HalfRow faces(images.faces);
+  HalfRow glows(images.glows);
   const LensMap& lens = *sight.lens;
   const SurfaceLookup lookup{is_classic, lens.is_pinhole};
   std::optional<SeenByPixels> seen;
-  for (int row = 0; row < place.height; ++row) {
+  for (int row = rows.start; row < rows.end; ++row) {
     const int v = place.y + row;
     const auto* is_wanted = wanted.ptr<std::uint8_t>(v, place.x);
     const int* triangles = sight.triangles.ptr<int>(v, place.x);
@@ -182,7 +178,20 @@ SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, b
       each->store(row, first, end);
     }
   }
-  return {base_roughness.image(), normal_metalness.image(), faces.image(), glows.image()};
+}
+
+}  // namespace
+
+SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, bool is_classic,
+                         const cv::Rect& place, const cv::Mat& wanted) {
+  const auto image = [&](bool is_wanted) {
+    return is_wanted ? cv::Mat(place.size(), CV_16UC4) : cv::Mat();
+  };
+  const SurfaceImages images{image(true), image(true), image(planes.faces), image(planes.glows)};
+  cv::parallel_for_(cv::Range(0, place.height), [&](const cv::Range& rows) {
+    findRows(sight, is_classic, place, wanted, rows, images);
+  });
+  return images;
 }
 
 }  // namespace synthetic_dataset::render

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include <opencv2/core/utility.hpp>
+
 #include "render/parts/surface_drawing.h"
 #include "render/pixels/lane_images.h"
 #include "render/pixels/srgb.h"
@@ -115,26 +117,29 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
   const cv::Mat how_open = render::widened(open);
   const cv::Mat along = rays_.empty() ? rays_ : render::widened(rays_(place));
   cv::Mat light(what.items.size(), CV_16UC4);
-  std::vector<std::size_t> lights = arriving().all();
   for (const cv::Rect& region : regions) {
     const cv::Rect pixels = region - place.tl();
-    for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
-      Row row(what, how, v, light);
-      row.slope_y = static_cast<float>((place.y + v - intrinsics_.cy) / intrinsics_.fy);
-      if (!along.empty()) row.rays = along.ptr<float>(v);
-      if (!how_open.empty()) row.open = how_open.ptr<float>(v);
-      int known_until = pixels.x;
-      for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
-        // Some pixels may be lit twice, or beside the region.
-        const int first = firstLane(u, light.cols);
-        if (isNone(which.ptr<std::uint8_t>(v, first))) continue;
-        if (arriving().areMany() && u >= known_until) {
-          known_until = std::min(u + kBlock, pixels.x + pixels.width);
-          findReaching(row, {first, known_until}, place.x, lights);
+    const auto lightRows = [&](const cv::Range& rows) {
+      std::vector<std::size_t> lights = arriving().all();
+      for (int v = rows.start; v < rows.end; ++v) {
+        Row row(what, how, v, light);
+        row.slope_y = static_cast<float>((place.y + v - intrinsics_.cy) / intrinsics_.fy);
+        if (!along.empty()) row.rays = along.ptr<float>(v);
+        if (!how_open.empty()) row.open = how_open.ptr<float>(v);
+        int known_until = pixels.x;
+        for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
+          // Some pixels may be lit twice, or beside the region.
+          const int first = firstLane(u, light.cols);
+          if (isNone(which.ptr<std::uint8_t>(v, first))) continue;
+          if (arriving().areMany() && u >= known_until) {
+            known_until = std::min(u + kBlock, pixels.x + pixels.width);
+            findReaching(row, {first, known_until}, place.x, lights);
+          }
+          lightFour(row, first, static_cast<float>(place.x + first), lights);
         }
-        lightFour(row, first, static_cast<float>(place.x + first), lights);
       }
-    }
+    };
+    cv::parallel_for_(cv::Range(pixels.y, pixels.y + pixels.height), lightRows);
   }
   return light.colRange(0, geometry.items.cols);
 }
