@@ -12,9 +12,12 @@
 namespace synthetic_dataset::render {
 namespace {
 
-int wrapped(int index, int count) {
-  const int rest = index % count;
-  return rest < 0 ? rest + count : rest;
+/// As std::floor(), for which processors have no instruction that all of them have.
+float floorOf(float number) {
+  constexpr float kWhole = 0x1p23F;  // from here on, numbers of single precision are whole
+  if (!(std::abs(number) < kWhole)) return number;
+  const auto nearer_to_0 = static_cast<float>(static_cast<int>(number));
+  return nearer_to_0 > number ? nearer_to_0 - 1.0F : nearer_to_0;
 }
 
 /// Blue, green, red and alpha of a texel.
@@ -25,13 +28,13 @@ Lanes texelAt(const std::uint16_t* row, int column) {
 
 /// Between the four texels around a place. Coordinates go on at the opposite edge.
 Lanes mixedAt(const Eigen::Vector2f& place, const cv::Mat& level) {
-  const float x = (place.x() - std::floor(place.x())) * static_cast<float>(level.cols) - 0.5F;
-  const float y = (place.y() - std::floor(place.y())) * static_cast<float>(level.rows) - 0.5F;
+  const float x = (place.x() - floorOf(place.x())) * static_cast<float>(level.cols) - 0.5F;
+  const float y = (place.y() - floorOf(place.y())) * static_cast<float>(level.rows) - 0.5F;
   if (!(std::abs(x) < 1e6F && std::abs(y) < 1e6F)) return texelAt(level.ptr<std::uint16_t>(0), 0);
-  const float left = std::floor(x);
-  const float top = std::floor(y);
-  const int u = wrapped(static_cast<int>(left), level.cols);
-  const int v = wrapped(static_cast<int>(top), level.rows);
+  const float left = floorOf(x);  // from -1 on
+  const float top = floorOf(y);
+  const int u = left < 0.0F ? level.cols - 1 : static_cast<int>(left);
+  const int v = top < 0.0F ? level.rows - 1 : static_cast<int>(top);
   const int next_u = u + 1 == level.cols ? 0 : u + 1;
   const int next_v = v + 1 == level.rows ? 0 : v + 1;
   const auto* above = level.ptr<std::uint16_t>(v);
