@@ -1,12 +1,14 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
-background subtraction, several cameras, full light, many lamps, skies and panoramas, weather; where the camera stands, and where it rides.
+background subtraction, several cameras, full light, many lamps, skies and panoramas, weather; where the camera stands, where it rides,
+and where it drives.
 
-  cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT]
+  cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT] [--world FILE [--models FOLDER]]
 
 PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. A camera that rides is on
-the example's mast, which then swings by 0.3 m. Measured is processor time of an instant, camera after
-camera, several times over, so that what else runs on the machine matters little. RESULTS gets
-cameras.json and cameras.md.
+the example's mast, which then swings by 0.3 m; one that drives is on a rover and looks to its right, where the others are. With --world, the example's
+objects and cameras are in this one, too. Measured are user processor time of an instant and the clock, camera after
+camera, several times over, so that what else runs on the machine matters little: for the clock, nothing else
+should run. RESULTS gets cameras.json and cameras.md.
 """
 
 import argparse
@@ -19,6 +21,7 @@ import statistics
 import struct
 import subprocess
 import tempfile
+import time
 import zlib
 
 import rosbag
@@ -65,7 +68,9 @@ CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "four cameras": (PINHOLE, {}, {"count": 4}),
     "another pose in each scene": (PINHOLE, {}, {"sample": SAMPLE}),
 }
-STANDS, RIDES = "stands", "rides"
+MODELS = {"rover_1": "model://rover", "rover_2": "model://rover", "drone_1": "model://drone"}
+STANDS, RIDES, DRIVES = "stands", "rides", "drives"
+ON_ROVER = {"mounted_on": "rover_1", "pose": {"position": [0.0, -0.5, 0.6], "rpy": [0.0, 0.1, -math.pi / 2.0]}}
 
 
 def write_calibration(lens, path):
@@ -132,8 +137,10 @@ def what_lies_behind(others, settings, folder):
     return {}
 
 
-def camera_settings(calibration, effects, count, sample):
+def camera_settings(calibration, effects, count, sample, how):
     camera = {"info_file": calibration, "effects": effects}
+    if how == DRIVES:
+        return {"camera": {**camera, **ON_ROVER}}
     if sample:
         return {"camera": {**camera, "sample": sample}}
     if count == 1:
@@ -144,45 +151,50 @@ def camera_settings(calibration, effects, count, sample):
                         for i, (x, y) in enumerate(corners[:count])}}
 
 
-def settings_of(camera, bag, folder):
+def settings_of(camera, how, bag, folder):
     lens, effects, others = camera
     with open(EXAMPLE) as file:
         settings = yaml.safe_load(file.read().replace("$(find synthetic_dataset)", PACKAGE))
+    if "world" in camera[2]:  # which has not the example's objects
+        for name, model in MODELS.items():
+            settings[name]["model"] = model
     calibration = f"{folder}/camera.yaml"
     write_calibration(lens, calibration)
     others = dict(others)
     count, sample = others.pop("count", 1), others.pop("sample", None)
     others.update(what_lies_behind(others, settings, folder))
-    for name in ["bounding_shape", "camera"] + ([] if count == 1 and not sample else ["camera_frame_id"]):
+    for name in ["bounding_shape", "camera"] + ([] if count == 1 and not sample and how != DRIVES else ["camera_frame_id"]):
         del settings[name]
     settings.update({
         "bag_file": bag, "simulated_rate": RATE, "output_folder": f"{folder}/dataset",
         "if_exists": "overwrite",
         "writers": [{"name": "coco", "type": "synthetic_dataset/Coco"},
                     {"name": "yolo", "type": "synthetic_dataset/Yolo"}],
-        **camera_settings(calibration, effects, count, sample), **others})
+        **camera_settings(calibration, effects, count, sample, how), **others})
     return settings
 
 
 def run(program, settings, folder):
-    """The processor time of the whole process [s], and the number of instants."""
+    """User processor time and clock of the whole process [s], and the number of instants."""
     path = f"{folder}/settings.yaml"
     with open(path, "w") as out:
         yaml.safe_dump(settings, out)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    began = time.monotonic()
     subprocess.run([program, "--config", path], check=True, stdout=subprocess.DEVNULL)
+    clock = time.monotonic() - began
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     with sqlite3.connect(f"{folder}/dataset/manifest.sqlite") as manifest:
         instants, = manifest.execute("SELECT count(DISTINCT instant) FROM scene").fetchone()
-    return after.ru_utime - before.ru_utime, instants
+    return (after.ru_utime - before.ru_utime, clock), instants
 
 
-def instant_seconds(program, camera, bag, folder):
-    """Processor time of an instant, without the start."""
-    settings = settings_of(camera, bag, folder)
+def instant_seconds(program, camera, how, bag, folder):
+    """User processor time and clock of an instant, without the start [s]."""
+    settings = settings_of(camera, how, bag, folder)
     few, few_instants = run(program, {**settings, "duration": FEW}, folder)
     many, many_instants = run(program, {**settings, "duration": MANY}, folder)
-    return (many - few) / (many_instants - few_instants)
+    return [(b - a) / (many_instants - few_instants) for a, b in zip(few, many)]
 
 
 def main():
@@ -190,32 +202,41 @@ def main():
     parser.add_argument("program")
     parser.add_argument("results")
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--only", default="", help="cameras with this text in their names, and the pinhole")
+    parser.add_argument("--only", default="", help="cameras with one of these texts, divided by semicolons, in their names, and the pinhole")
+    parser.add_argument("--world", help="a world for a row of its own")
+    parser.add_argument("--models", help="the folder of that world's models")
     arguments = parser.parse_args()
     os.makedirs(arguments.results, exist_ok=True)
-    chosen = [each for each in CAMERAS if each == "pinhole" or arguments.only in each]
+    cameras = dict(CAMERAS)
+    if arguments.world:
+        world = {"file": os.path.abspath(arguments.world),
+                 "model_folders": [f"{PACKAGE}/worlds/models"] + ([os.path.abspath(arguments.models)] if arguments.models else [])}
+        cameras[f"pinhole in {os.path.basename(arguments.world)}"] = (PINHOLE, {}, {"world": world})
+    chosen = [each for each in cameras if each == "pinhole" or any(text in each for text in arguments.only.split(";"))]
     # Four cameras stand around the hall, and a drawn pose is another one in each scene.
-    rows = [(name, how) for name in chosen for how in (STANDS, RIDES)
-            if (how == STANDS or "count" not in CAMERAS[name][2])
-            and (how == RIDES or "sample" not in CAMERAS[name][2])]
+    rows = [(name, how) for name in chosen for how in (STANDS, RIDES, DRIVES)
+            if (how == STANDS or "count" not in cameras[name][2])
+            and (how == RIDES or "sample" not in cameras[name][2])]
     seconds = {row: [] for row in rows}
     with tempfile.TemporaryDirectory() as folder:
-        bags = {STANDS: f"{PACKAGE}/worlds/example.bag", RIDES: f"{folder}/swinging.bag"}
+        bags = {how: f"{PACKAGE}/worlds/example.bag" for how in (STANDS, DRIVES)}
+        bags[RIDES] = f"{folder}/swinging.bag"
         write_swinging(bags[STANDS], bags[RIDES])
         for _ in range(arguments.rounds):
             for (name, how), measured in seconds.items():
-                measured.append(instant_seconds(arguments.program, CAMERAS[name], bags[how], folder))
-    typical = {row: statistics.median(measured) for row, measured in seconds.items()}
-    unit = typical["pinhole", STANDS]
+                measured.append(instant_seconds(arguments.program, cameras[name], how, bags[how], folder))
+    typical = {row: [statistics.median(each) for each in zip(*measured)] for row, measured in seconds.items()}
+    units = typical["pinhole", STANDS]
     with open(f"{arguments.results}/cameras.json", "w") as out:
         json.dump({f"{name}, {how}": each for (name, how), each in seconds.items()}, out, indent=1)
     with open(f"{arguments.results}/cameras.md", "w") as out:
-        out.write(f"As multiples of the standing pinhole's {1000 * unit:.0f} ms of processor time an instant:\n\n"
-                  "| camera | it stands | it rides |\n| --- | --- | --- |\n")
+        out.write(f"As multiples of the standing pinhole's {1000 * units[0]:.0f} ms of processor time and "
+                  f"{1000 * units[1]:.0f} ms of the clock an instant, in this order:\n\n"
+                  "| camera | it stands | it rides | it drives |\n| --- | --- | --- | --- |\n")
         for name in chosen:
-            cells = [f"{typical[name, how] / unit:.1f}" if (name, how) in typical else "-"
-                     for how in (STANDS, RIDES)]
-            row = f"| {name} | {cells[0]} | {cells[1]} |"
+            cells = [", ".join(f"{each / unit:.1f}" for each, unit in zip(typical[name, how], units))
+                     if (name, how) in typical else "-" for how in (STANDS, RIDES, DRIVES)]
+            row = f"| {name} | {' | '.join(cells)} |"
             print(row, flush=True)
             out.write(row + "\n")
 
