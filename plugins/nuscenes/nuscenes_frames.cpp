@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "plugins/nuscenes/nuscenes_options.h"
 #include "plugins/shared/json.h"
 
 namespace synthetic_dataset::nuscenes {
@@ -27,6 +28,14 @@ Placement placementOf(const Pose& pose) {
   Placement placement{pose.translation(), {}};
   placement.rotation << q.w(), q.x(), q.y(), q.z();
   return placement;
+}
+
+bool isLidar(const DatasetInfo& dataset, const Frame& frame) {
+  return frame.camera == static_cast<std::int64_t>(dataset.cameras.size());
+}
+
+std::string dataToken(const DatasetInfo& dataset, const Frame& frame) {
+  return nuScenesToken(NuScenesTable::kSampleData, frame.scene, isLidar(dataset, frame) ? 1 : 0);
 }
 
 std::string recordOf(const Frame& frame) {

@@ -45,6 +45,12 @@ struct Frame {
   std::vector<SeenObject> objects;
 };
 
+/// Whether it is the lidar's.
+[[nodiscard]] bool isLidar(const DatasetInfo& dataset, const Frame& frame);
+
+/// The token of its sample_data.
+[[nodiscard]] std::string dataToken(const DatasetInfo& dataset, const Frame& frame);
+
 /// A frame as a record, and back.
 [[nodiscard]] std::string recordOf(const Frame& frame);
 [[nodiscard]] Frame frameOf(std::int64_t scene, const std::string& record);

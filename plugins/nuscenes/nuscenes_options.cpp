@@ -32,6 +32,37 @@ void readLidar(Parameters& parameters, const DatasetInfo& dataset, NuScenesOptio
   }
 }
 
+/// Every how many instants there is a sample.
+std::int64_t readKeyframes(Parameters& parameters, const DatasetInfo& dataset) {
+  constexpr std::int64_t kMost = 1000;
+  const std::int64_t every =
+      parameters.optionalBetween<std::int64_t>("keyframe_every", 1, 1, kMost);
+  if (every == 1) return every;
+  const auto refuse = [&](const std::string& why) {
+    parameters.addError("keyframe_every", "found " + std::to_string(every) + "; " + why);
+  };
+  for (const MotionInfo& motion : dataset.motions) {
+    if (motion.rate == 0.0) {
+      refuse("it should be 1 where scenes are placed at random: none is between two others");
+      return every;
+    }
+  }
+  for (const SplitInfo& split : dataset.splits) {
+    const auto cameras = static_cast<std::int64_t>(dataset.cameras.size());
+    if (split.scene_count == 0 || split.scene_count / cameras >= every) continue;
+    refuse("it should be " + std::to_string(split.scene_count / cameras) +
+           " at most, the instants of " + split.name + ", so that this has a key frame");
+  }
+  return every;
+}
+
+/// The index of an instant's motion; 0 where none is listed.
+std::size_t motionOf(const std::vector<MotionInfo>& motions, std::int64_t instant) {
+  std::size_t motion = 0;
+  while (motion + 1 < motions.size() && motions[motion + 1].first_instant <= instant) ++motion;
+  return motion;
+}
+
 }  // namespace
 
 NuScenesOptions readNuScenesOptions(Parameters& parameters, const DatasetInfo& dataset) {
@@ -45,6 +76,7 @@ NuScenesOptions readNuScenesOptions(Parameters& parameters, const DatasetInfo& d
   }
   options.box = readBoxChoice(parameters);
   options.image_format = parameters.optionalChoice("image_format", {"jpg", "png"}, "jpg");
+  options.keyframe_every = readKeyframes(parameters, dataset);
   readLidar(parameters, dataset, options);
   return options;
 }
@@ -76,13 +108,17 @@ std::size_t nuScenesSequence(const DatasetInfo& dataset, const Scene& scene) {
   const auto split = std::find(splits.begin(), splits.end(), scene.splitFolder());
   if (split == splits.end()) throw Error("the scene is in a split that the dataset has not");
   const std::vector<MotionInfo>& motions = dataset.motions;
-  std::size_t motion = 0;
-  while (motion + 1 < motions.size() && motions[motion + 1].first_instant <= scene.instant) {
-    ++motion;
-  }
   return static_cast<std::size_t>(split - splits.begin()) *
              std::max<std::size_t>(motions.size(), 1) +
-         motion;
+         motionOf(motions, scene.instant);
+}
+
+bool isNuScenesKeyframe(const DatasetInfo& dataset, const NuScenesOptions& options,
+                        std::int64_t instant) {
+  const std::vector<MotionInfo>& motions = dataset.motions;
+  const std::int64_t first =
+      motions.empty() ? 0 : motions[motionOf(motions, instant)].first_instant;
+  return (instant - first) % options.keyframe_every == 0;
 }
 
 }  // namespace synthetic_dataset

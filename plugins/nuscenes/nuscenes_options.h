@@ -18,8 +18,9 @@ struct NuScenesOptions {
   std::string image_format = "jpg";
   std::optional<std::size_t> lidar;  ///< that is LIDAR_TOP, in DatasetInfo::lidars
   CloudPositions positions = CloudPositions::kAtStamp;  ///< of its points
-  bool lidarseg = true;         ///< whether there is a category of each point
-  std::int64_t min_points = 0;  ///< objects of which it has fewer are not annotated
+  bool lidarseg = true;             ///< whether there is a category of each point
+  std::int64_t min_points = 0;      ///< objects of which it has fewer are not annotated
+  std::int64_t keyframe_every = 1;  ///< which instants of a motion are samples, from its first
 };
 
 [[nodiscard]] NuScenesOptions readNuScenesOptions(Parameters& parameters,
@@ -54,6 +55,10 @@ inline constexpr const char* kNuScenesLidar = "LIDAR_TOP";
 /// Which nuScenes scene, which is a sequence of samples, a scene belongs to: its split's and
 /// motion's.
 [[nodiscard]] std::size_t nuScenesSequence(const DatasetInfo& dataset, const Scene& scene);
+
+/// Whether an instant is a sample, with annotations; what is between them is sweeps.
+[[nodiscard]] bool isNuScenesKeyframe(const DatasetInfo& dataset, const NuScenesOptions& options,
+                                      std::int64_t instant);
 
 /// The picture that stands for the map, which nobody has.
 inline constexpr const char* kNuScenesMap = "maps/empty.png";

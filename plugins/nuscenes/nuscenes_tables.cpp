@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
 
-#include "plugins/nuscenes/nuscenes_options.h"
+#include "plugins/nuscenes/nuscenes_categories.h"
+#include "plugins/nuscenes/nuscenes_samples.h"
 #include "plugins/nuscenes/nuscenes_scenes.h"
 
 namespace synthetic_dataset::nuscenes {
@@ -27,107 +27,11 @@ std::string visibilityToken(double visibility) {
   return visibility < 0.8 ? "3" : "4";
 }
 
-/// What is known of an object at an instant, by all cameras that see it and the lidar.
-struct Annotation {
-  const SeenObject* seen = nullptr;  ///< by the first of them
-  double visibility = 0.0;           ///< the greatest
-  std::int64_t pixels = 0;           ///< of all
-  std::int64_t points = 0;           ///< of the lidar
-  std::string prev;
-  std::string next;
-};
-
-/// What is before and after each of several chains' links.
-class Chain {
- public:
-  /// @return  the token of the link before; empty for none
-  std::string add(std::int64_t first, std::int64_t second, std::string& next,
-                  const std::string& token) {
-    auto& [last_token, last_next] = last_[{first, second}];
-    if (last_next != nullptr) *last_next = token;
-    last_next = &next;
-    return std::exchange(last_token, token);
-  }
-
- private:
-  std::map<std::pair<std::int64_t, std::int64_t>, std::pair<std::string, std::string*>> last_;
-};
-
-/// All sensors' frames of one instant.
-struct Sample {
-  std::vector<const Frame*> frames;
-  std::vector<std::pair<std::string, std::string>> data;  ///< of the frames: before, after
-  std::map<std::int64_t, Annotation> annotations;         ///< by object
-  std::string prev;
-  std::string next;
-
-  [[nodiscard]] const Frame& first() const { return *frames.front(); }
-  [[nodiscard]] std::string token() const {
-    return nuScenesToken(NuScenesTable::kSample, first().instant);
-  }
-  [[nodiscard]] std::string tokenOf(std::int64_t object) const {
-    return nuScenesToken(NuScenesTable::kSampleAnnotation, first().instant, object);
-  }
-};
-
-/// The samples of a dataset, each linked with those before and after it.
-class Samples {
- public:
-  /// @param min_points  that an object needs for an annotation
-  Samples(const DatasetInfo& dataset, const std::vector<Frame>& frames, std::int64_t min_points)
-      : dataset_(dataset) {
-    for (const Frame& frame : frames) {
-      if (all_.empty() || all_.back()->first().instant != frame.instant) {
-        all_.push_back(std::make_unique<Sample>());
-      }
-      Sample& sample = *all_.back();
-      sample.frames.push_back(&frame);
-      for (const SeenObject& each : frame.objects) {
-        Annotation& annotation = sample.annotations[each.object];
-        if (annotation.seen == nullptr) annotation.seen = &each;
-        annotation.visibility = std::max(annotation.visibility, each.visibility);
-        annotation.pixels += each.pixels;
-        annotation.points += each.points;
-      }
-    }
-    for (const auto& sample : all_) {
-      auto& annotations = sample->annotations;
-      for (auto each = annotations.begin(); each != annotations.end();) {
-        each = each->second.points < min_points ? annotations.erase(each) : std::next(each);
-      }
-      link(*sample);
-    }
-  }
-
-  [[nodiscard]] const std::vector<std::unique_ptr<Sample>>& all() const { return all_; }
-
- private:
-  void link(Sample& sample) {
-    const std::int64_t sequence = sample.first().sequence;
-    sample.prev = samples_.add(sequence, 0, sample.next, sample.token());
-    sample.data.resize(sample.frames.size());
-    for (std::size_t i = 0; i < sample.frames.size(); ++i) {
-      const Frame& frame = *sample.frames[i];
-      sample.data[i].first =
-          data_.add(sequence, frame.camera, sample.data[i].second, dataToken(dataset_, frame));
-    }
-    for (auto& [object, annotation] : sample.annotations) {
-      annotation.prev = annotations_.add(sequence, object, annotation.next, sample.tokenOf(object));
-    }
-  }
-
-  const DatasetInfo& dataset_;
-  std::vector<std::unique_ptr<Sample>> all_;
-  Chain samples_;
-  Chain data_;
-  Chain annotations_;
-};
-
 /// What `sample_annotation` and `image_annotations` both have of an object in a sample.
 /// @param points  of the lidar, or what stands for them
 Json annotationOf(const Sample& sample, std::int64_t object, const Annotation& annotation,
                   std::int64_t points) {
-  return {{"instance_token", token(NuScenesTable::kInstance, sample.first().sequence, object)},
+  return {{"instance_token", token(NuScenesTable::kInstance, sample.first->sequence, object)},
           {"visibility_token", visibilityToken(annotation.visibility)},
           {"attribute_tokens", Json::array()},
           {"prev", annotation.prev},
@@ -151,9 +55,7 @@ struct Extent {
 class Maker {
  public:
   Maker(const DatasetInfo& dataset, const std::vector<Frame>& frames, NuScenesOptions options)
-      : dataset_(dataset),
-        samples_(dataset, frames, options.min_points),
-        options_(std::move(options)) {}
+      : dataset_(dataset), samples_(dataset, frames, options), options_(std::move(options)) {}
 
   /// Whether there is a category of each point.
   [[nodiscard]] bool hasLidarseg() const { return options_.lidar && options_.lidarseg; }
@@ -181,9 +83,9 @@ class Maker {
 
   void lidarseg(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
-      for (const Frame* frame : sample->frames) {
-        if (!isLidar(*frame)) continue;
-        const std::string of = dataToken(dataset_, *frame);
+      for (const SensorData& each : sample->data) {
+        if (!isLidar(*each.frame) || !each.is_keyframe) continue;
+        const std::string of = dataToken(dataset_, *each.frame);
         add({{"token", of},
              {"sample_data_token", of},
              {"filename", lidarsegFile(options_.version, of)}});
@@ -238,11 +140,11 @@ class Maker {
 
   void egoPose(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
-      for (const Frame* frame : sample->frames) {
-        add({{"token", egoToken(*frame)},
-             {"timestamp", frame->microseconds},
-             {"rotation", listOf(frame->X_GE.rotation)},
-             {"translation", numbersOf(frame->X_GE.translation)}});
+      for (const SensorData& each : sample->data) {
+        add({{"token", egoToken(*each.frame)},
+             {"timestamp", each.frame->microseconds},
+             {"rotation", listOf(each.frame->X_GE.rotation)},
+             {"translation", numbersOf(each.frame->X_GE.translation)}});
       }
     }
   }
@@ -271,7 +173,7 @@ class Maker {
   void scene(const AddRecord& add) const {
     std::map<std::int64_t, Extent> extents;  // by sequence
     for (const auto& sample : samples_.all()) {
-      extents[sample->first().sequence].add(sample->token());
+      extents[sample->first->sequence].add(sample->token());
     }
     const auto motions = static_cast<std::int64_t>(motionCount());
     const std::vector<std::string> splits = dataset_.splitFolders();
@@ -291,17 +193,17 @@ class Maker {
   void sample(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
       add({{"token", sample->token()},
-           {"timestamp", sample->first().microseconds},
+           {"timestamp", sample->first->microseconds},
            {"prev", sample->prev},
            {"next", sample->next},
-           {"scene_token", token(NuScenesTable::kScene, sample->first().sequence)}});
+           {"scene_token", token(NuScenesTable::kScene, sample->first->sequence)}});
     }
   }
 
   void sampleData(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
-      for (std::size_t i = 0; i < sample->frames.size(); ++i) {
-        const Frame& frame = *sample->frames[i];
+      for (const SensorData& each : sample->data) {
+        const Frame& frame = *each.frame;
         const CameraModel* camera =
             isLidar(frame) ? nullptr
                            : &dataset_.cameras.at(static_cast<std::size_t>(frame.camera)).model;
@@ -311,12 +213,12 @@ class Maker {
              {"calibrated_sensor_token", token(NuScenesTable::kCalibratedSensor, frame.camera)},
              {"timestamp", frame.microseconds},
              {"fileformat", camera != nullptr ? options_.image_format : "pcd"},
-             {"is_key_frame", true},
+             {"is_key_frame", each.is_keyframe},
              {"height", camera != nullptr ? camera->height() : 0},
              {"width", camera != nullptr ? camera->width() : 0},
              {"filename", frame.file},
-             {"prev", sample->data[i].first},
-             {"next", sample->data[i].second}});
+             {"prev", each.prev},
+             {"next", each.next}});
       }
     }
   }
@@ -339,7 +241,7 @@ class Maker {
     std::map<std::pair<std::int64_t, std::int64_t>, Extent> extents;  // by sequence and object
     for (const auto& sample : samples_.all()) {
       for (const auto& [object, annotation] : sample->annotations) {
-        extents[{sample->first().sequence, object}].add(sample->tokenOf(object));
+        extents[{sample->first->sequence, object}].add(sample->tokenOf(object));
       }
     }
     for (const auto& [key, extent] : extents) {
@@ -354,17 +256,17 @@ class Maker {
   /// As the devkit's export_2d_annotations_as_json.py makes it.
   void imageAnnotations(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
-      for (const Frame* frame : sample->frames) {
-        if (isLidar(*frame)) continue;
-        for (const SeenObject& seen : frame->objects) {
+      for (const SensorData& each : sample->data) {
+        if (isLidar(*each.frame) || !each.is_keyframe) continue;
+        for (const SeenObject& seen : each.frame->objects) {
           const auto found = sample->annotations.find(seen.object);
           if (found == sample->annotations.end()) continue;  // of too few points
           Json record = {
               {"sample_annotation_token", sample->tokenOf(seen.object)},
-              {"sample_data_token", dataToken(dataset_, *frame)},
+              {"sample_data_token", dataToken(dataset_, *each.frame)},
               {"bbox_corners", {seen.box.left, seen.box.top, seen.box.right, seen.box.bottom}},
               {"category_name", objectAt(seen.object).class_name},
-              {"filename", frame->file}};
+              {"filename", each.frame->file}};
           record.update(annotationOf(*sample, seen.object, found->second, pointsOf(found->second)));
           add(record);
         }
@@ -377,7 +279,9 @@ class Maker {
     return static_cast<std::int64_t>(dataset_.cameras.size());
   }
 
-  [[nodiscard]] bool isLidar(const Frame& frame) const { return frame.camera == lidarIndex(); }
+  [[nodiscard]] bool isLidar(const Frame& frame) const {
+    return nuscenes::isLidar(dataset_, frame);
+  }
 
   [[nodiscard]] std::string egoToken(const Frame& frame) const {
     return token(NuScenesTable::kEgoPose, frame.scene, isLidar(frame) ? 1 : 0);
@@ -429,29 +333,6 @@ std::vector<Table> tablesOf(const DatasetInfo& dataset, const std::vector<Frame>
                                {"image_annotations", made(&Maker::imageAnnotations)}};
   if (maker->hasLidarseg()) tables.push_back({"lidarseg", made(&Maker::lidarseg)});
   return tables;
-}
-
-PointCategories::PointCategories(const DatasetInfo& dataset) {
-  std::map<std::string, std::size_t> numbers;
-  for (const ClassInfo& each : dataset.classes) numbers.emplace(each.name, numbers.size() + 1);
-  for (const std::string& name : dataset.world_classes) {
-    of_world_.push_back(numbers.emplace(name, numbers.size() + 1).first->second);
-  }
-}
-
-std::uint8_t PointCategories::of(const CloudPoint& point) const {
-  if (point.class_number > 0) return static_cast<std::uint8_t>(point.class_number);
-  if (point.world_class == 0) return 0;
-  return static_cast<std::uint8_t>(of_world_.at(point.world_class - std::size_t{1}));
-}
-
-std::string dataToken(const DatasetInfo& dataset, const Frame& frame) {
-  const bool is_lidar = frame.camera == static_cast<std::int64_t>(dataset.cameras.size());
-  return token(NuScenesTable::kSampleData, frame.scene, is_lidar ? 1 : 0);
-}
-
-std::string lidarsegFile(const std::string& version, const std::string& data_token) {
-  return "lidarseg/" + version + "/" + data_token + "_lidarseg.bin";
 }
 
 }  // namespace synthetic_dataset::nuscenes

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "plugins/nuscenes/nuscenes_categories.h"
 #include "plugins/nuscenes/nuscenes_frames.h"
 #include "plugins/nuscenes/nuscenes_options.h"
 #include "plugins/nuscenes/nuscenes_scenes.h"
@@ -21,7 +22,8 @@
 namespace synthetic_dataset {
 
 /// nuScenes: `samples/CAM_*/` with images, `samples/LIDAR_TOP/` with a lidar's points, `lidarseg/`
-/// with their categories, and tables of JSON that refer to one another by tokens.
+/// with their categories, the same of what is between samples in `sweeps/` without categories, and
+/// tables of JSON that refer to one another by tokens.
 /// https://www.nuscenes.org/nuscenes#data-format, https://github.com/nutonomy/nuscenes-devkit
 /// (docs/schema_nuscenes.md)
 class NuScenesWriter : public LabelWriter {
@@ -47,17 +49,29 @@ class NuScenesWriter : public LabelWriter {
     warnOfDistortion(scene.camera, output);
     nuscenes::Frame frame = frameOf(scene);
     frame.camera = static_cast<std::int64_t>(scene.camera_index);
-    frame.file = "samples/" + nuScenesChannel(dataset_.cameras, scene.camera_index) + "/" +
+    frame.file = folderOf(scene) + nuScenesChannel(dataset_.cameras, scene.camera_index) + "/" +
                  scene.flatName() + "." + options_.image_format;
     frame.X_GE = nuscenes::placementOf(scene.X_GC * bodyInCamera());
-    for (const SceneObject& object : scene.objects) {
-      const auto box = boxOf(object, options_.box, scene.camera);
-      if (object.labelled() && box) frame.objects.push_back(seenObject(object, *box));
-    }
+    if (isKeyframe(scene)) addSeen(scene, frame);
     output.addImage(frame.file, scene.image);
     output.addRecord(kFrames, nuscenes::recordOf(frame));
     // All cameras of an instant have the same clouds.
     if (options_.lidar && scene.camera_index == 0) writeCloud(scene, output);
+  }
+
+  /// Whether the scene is annotated, and which folder its files are in.
+  [[nodiscard]] bool isKeyframe(const Scene& scene) const {
+    return isNuScenesKeyframe(dataset_, options_, scene.instant);
+  }
+  [[nodiscard]] std::string folderOf(const Scene& scene) const {
+    return isKeyframe(scene) ? "samples/" : "sweeps/";
+  }
+
+  void addSeen(const Scene& scene, nuscenes::Frame& frame) const {
+    for (const SceneObject& object : scene.objects) {
+      const auto box = boxOf(object, options_.box, scene.camera);
+      if (object.labelled() && box) frame.objects.push_back(seenObject(object, *box));
+    }
   }
 
   [[nodiscard]] nuscenes::Frame frameOf(const Scene& scene) const {
@@ -75,15 +89,11 @@ class NuScenesWriter : public LabelWriter {
     const Cloud& cloud = *scene.clouds().at(*options_.lidar);
     nuscenes::Frame frame = frameOf(scene);
     frame.camera = static_cast<std::int64_t>(dataset_.cameras.size());
-    frame.file = std::string("samples/") + kNuScenesLidar + "/" +
+    frame.file = folderOf(scene) + kNuScenesLidar + "/" +
                  scene.name.substr(scene.name.rfind('/') + 1) + ".pcd.bin";
     frame.X_GE = nuscenes::placementOf(
         scene.transform(dataset_.global_frame, dataset_.lidars[*options_.lidar].frame));
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      const std::int64_t points = cloud.points_of_objects.at(i);
-      if (points == 0 || !scene.objects[i].X_GO) continue;
-      frame.objects.push_back(metObject(scene.objects[i], points));
-    }
+    if (isKeyframe(scene)) addMet(scene, cloud, frame);
     const nuscenes::PointCategories categories(dataset_);
     constexpr float kFullScale = 255.0F;
     std::string bytes;
@@ -97,11 +107,20 @@ class NuScenesWriter : public LabelWriter {
       of_points += static_cast<char>(categories.of(point));
     }
     output.addText(frame.file, std::move(bytes));
-    if (options_.lidarseg) {
+    if (options_.lidarseg && isKeyframe(scene)) {
       output.addText(nuscenes::lidarsegFile(options_.version, nuscenes::dataToken(dataset_, frame)),
                      std::move(of_points));
     }
     output.addRecord(kSweeps, nuscenes::recordOf(frame));
+  }
+
+  /// The objects that the lidar meets.
+  static void addMet(const Scene& scene, const Cloud& cloud, nuscenes::Frame& frame) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const std::int64_t points = cloud.points_of_objects.at(i);
+      if (points == 0 || !scene.objects[i].X_GO) continue;
+      frame.objects.push_back(metObject(scene.objects[i], points));
+    }
   }
 
   /// A frame with x ahead, y left and z up in the optical frame.

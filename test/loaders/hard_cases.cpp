@@ -200,4 +200,24 @@ LoaderDataset lidarScenes() {
   return dataset;
 }
 
+LoaderDataset movingLidar() {
+  LoaderDataset dataset({tunnel(), rover("carrier", "0.2 0.6 0.3")});
+  // x ahead is the optical frame's z, y left its -x.
+  const Eigen::Quaterniond level(0.5, 0.5, -0.5, 0.5);
+  constexpr int kTimes = 10;
+  for (int i = 0; i < kTimes; ++i) {
+    const Eigen::AngleAxisd turn(0.1 * i, Eigen::Vector3d::UnitZ());
+    dataset.addTime({{"tunnel", Pose::Identity()},
+                     {"carrier", makePose({0.0, 0.5, 1.1 + 0.2 * i}, level * turn)}});
+  }
+  dataset.set(
+      "lidars",
+      Value::Map{
+          {"top", Value::Map{{"beams", Value::Map{{"count", 16}, {"first", -0.3}, {"last", 0.3}}},
+                             {"columns", 200},
+                             {"mounted_on", "carrier"},
+                             {"pose", Value::List{0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0}}}}});
+  return dataset;
+}
+
 }  // namespace synthetic_dataset::test

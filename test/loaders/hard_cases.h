@@ -24,4 +24,7 @@ namespace synthetic_dataset::test {
 /// A lidar beside the camera, which it sees farther around, in two splits; everything stands.
 [[nodiscard]] LoaderDataset lidarScenes();
 
+/// A lidar that rides on an object through a tunnel, and turns.
+[[nodiscard]] LoaderDataset movingLidar();
+
 }  // namespace synthetic_dataset::test

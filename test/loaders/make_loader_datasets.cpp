@@ -22,7 +22,9 @@ void makeAll(const fs::path& folder) {
   test::emptyScenes().generate(folder / "empty");
   test::manyObjects().generate(folder / "many");
   test::camerasAndSplits().generate(folder / "cameras");
-  if (lidar::canCastRays()) test::lidarScenes().generate(folder / "lidar");
+  if (!lidar::canCastRays()) return;
+  test::lidarScenes().generate(folder / "lidar");
+  test::movingLidar().generate(folder / "moving_lidar");
 }
 
 }  // namespace

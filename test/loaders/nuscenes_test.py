@@ -8,6 +8,7 @@ from nuscenes.utils.data_classes import LidarPointCloud
 from nuscenes.utils.data_io import load_bin_file
 from nuscenes.utils.geometry_utils import BoxVisibility, points_in_box, view_points
 from nuscenes.utils.splits import create_splits_scenes
+from pyquaternion import Quaternion
 
 from loader_case import LoaderCase, read_picture
 
@@ -122,6 +123,37 @@ class NuScenesTest(LoaderCase):
             near = [scene.instances[b - 2:b + 3, a - 2:a + 3].any() for a, b in zip(u, v)
                     if 3 < a < scene.width - 3 and 3 < b < scene.height - 3]
             self.assertGreater(np.mean(near), 0.8)
+
+    def sweeps(self):
+        """The database of a scanner that moves through a tunnel, with a sweep between samples."""
+        (_, folder), = self.datasets('nuscenes_sweeps', ['moving_lidar'])
+        return NuScenes('v1.0-trainval', str(folder), verbose=False,
+                        colormap={name: (9, 9, 9) for name in ('noise', 'rover', 'tunnel')})
+
+    def test_sweeps_between_samples_show_the_same_walls(self):
+        database = self.sweeps()
+        self.assertEqual(len(database.sample), 5)
+        self.assertEqual(len(database.sample_data), 2 * 9)  # the first sweep begins before the recording
+        sample = database.sample[-1]
+        cloud, lags = LidarPointCloud.from_file_multisweep(
+            database, sample, 'LIDAR_TOP', 'LIDAR_TOP', nsweeps=5, min_distance=0.0)
+        self.assert_close(np.unique(lags.round(6)), [0.0, 0.25, 0.5, 0.75, 1.0], 1e-9)
+        data = database.get('sample_data', sample['data']['LIDAR_TOP'])
+        for table, token in (('calibrated_sensor', 'calibrated_sensor_token'), ('ego_pose', 'ego_pose_token')):
+            pose = database.get(table, data[token])
+            cloud.rotate(Quaternion(pose['rotation']).rotation_matrix)
+            cloud.translate(np.array(pose['translation']))
+        walls = np.abs(np.abs(cloud.points[:2]) - 0.95).min(axis=0)  # the tunnel's, from within
+        self.assertGreater(walls.size, 5 * 1000)
+        self.assertLess(walls.max(), 0.01)
+
+    def test_velocities_are_those_between_samples(self):
+        database = self.sweeps()
+        found = [database.box_velocity(each['token']) for each in database.sample_annotation
+                 if each['category_name'] == 'rover']
+        self.assertEqual(len(found), 5)
+        for velocity in found:
+            self.assert_close(velocity, [0.0, 0.0, 0.8], 0.05)
 
     def test_two_dimensional_boxes_are_those_of_the_visible_pixels(self):
         for scene, database, record in self.loaded():

@@ -197,6 +197,67 @@ TEST_F(NuScenesWithLidar, MayBeWrittenWithoutIt) {
   EXPECT_EQ(table("sample_annotation")[0]["num_lidar_pts"], 30 * 40);
 }
 
+TEST_F(NuScenesWithLidar, HasSweepsBetweenKeyframes) {
+  load({{"keyframe_every", 2}});
+  runAll({ofBoth(0), ofBoth(1), ofBoth(2), ofBoth(3)});
+  const json samples = table("sample");
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_EQ(samples[0]["next"], samples[1]["token"]);
+  EXPECT_EQ(table("scene")[0]["nbr_samples"], 2);
+  std::vector<json> of_lidar;
+  for (const json& each : table("sample_data")) {
+    if (each["fileformat"] == "pcd") of_lidar.push_back(each);
+  }
+  ASSERT_EQ(of_lidar.size(), 4U);
+  const std::vector<std::string> files = {
+      "samples/LIDAR_TOP/00000000.pcd.bin", "sweeps/LIDAR_TOP/00000001.pcd.bin",
+      "samples/LIDAR_TOP/00000002.pcd.bin", "sweeps/LIDAR_TOP/00000003.pcd.bin"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(of_lidar[i]["filename"], files[i]);
+    EXPECT_EQ(of_lidar[i]["is_key_frame"], i % 2 == 0);
+    EXPECT_EQ(of_lidar[i]["prev"], i > 0 ? of_lidar[i - 1]["token"] : json(""));
+    EXPECT_EQ(of_lidar[i]["next"], i < 3 ? of_lidar[i + 1]["token"] : json(""));
+    EXPECT_EQ(of_lidar[i]["sample_token"], samples[i == 0 ? 0 : 1]["token"]);
+    EXPECT_EQ(bytesOf(of_lidar[i]["filename"]).size(), 5U * 5U * sizeof(float));
+    EXPECT_EQ(recordOf("ego_pose", of_lidar[i]["ego_pose_token"])["timestamp"],
+              of_lidar[i]["timestamp"]);
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder() + "sweeps/CAM_FRONT/00000001.jpg"));
+}
+
+TEST_F(NuScenesWithLidar, AnnotatesKeyframesAlone) {
+  load({{"keyframe_every", 2}});
+  runAll({ofBoth(0), ofBoth(1), ofBoth(2), ofBoth(3)});
+  const json annotations = table("sample_annotation");
+  ASSERT_EQ(annotations.size(), 4U) << "two objects in two samples";
+  EXPECT_EQ(annotations[0]["next"], annotations[2]["token"]);
+  EXPECT_EQ(annotations[2]["prev"], annotations[0]["token"]);
+  EXPECT_EQ(table("instance")[0]["nbr_annotations"], 2);
+  EXPECT_EQ(table("image_annotations").size(), 2U);
+  EXPECT_EQ(table("lidarseg").size(), 2U);
+}
+
+TEST_F(NuScenes, BeginsEachMotionWithAKeyframe) {
+  dataset_.motions = {{"walk", 0, 3, 5.0}, {"run", 3, 2, 5.0}};
+  load({{"keyframe_every", 2}});
+  const auto isKey = [&](std::int64_t index) {
+    return filesOf(scene(index, {})).begin()->first.rfind("samples/", 0) == 0;
+  };
+  EXPECT_THAT(std::vector<bool>({isKey(0), isKey(1), isKey(2), isKey(3), isKey(4)}),
+              ElementsAre(true, false, true, true, false));
+}
+
+TEST_F(NuScenes, RefusesKeyframesThatCannotBe) {
+  dataset_.splits = {{"train", 8}, {"val", 2}};
+  load({{"keyframe_every", 3}});
+  EXPECT_THAT(parameters_.errors(),
+              ElementsAre(HasSubstr("it should be 2 at most, the instants of val")));
+  dataset_.splits.clear();
+  dataset_.motions = {{"", 0, 4, 0.0}};
+  load({{"keyframe_every", 3}});
+  EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("placed at random")));
+}
+
 /// nuscenes-devkit, python-sdk/nuscenes/utils/splits.py.
 TEST_F(NuScenes, CallsScenesByTheNamesThatTheDevkitListsForTheirSplit) {
   dataset_.motions = {{"walk", 0, 2, 5.0}, {"run", 2, 2, 5.0}};
