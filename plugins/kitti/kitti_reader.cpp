@@ -94,8 +94,26 @@ std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraMo
   return pictures;
 }
 
+/// A lidar's points; those of a depth image are none.
+std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
+  const auto velodyne = scene.settings.find("velodyne");
+  if (velodyne == scene.settings.end() || velodyne->second.text() == "depth") return {};
+  const fs::path scan = scene.file(".bin");
+  const fs::path training = scan.parent_path().parent_path();
+  const std::string name = scan.stem().string() + ".txt";
+  LabelledCloud cloud;
+  cloud.lidar = velodyne->second.text();
+  addVelodynePoints(cloud, scan);
+  const fs::path labels = training / "label_2" / name;
+  std::vector<std::vector<std::string>> lines;
+  for (const std::string& line : readLines(labels)) lines.push_back(wordsOf(line));
+  cloud.objects = kittiObjects(lines, readKittiScanner(training / "calib" / name), labels);
+  assignToBoxes(cloud);
+  return {cloud};
+}
+
 }  // namespace
 
-Format format() { return {"synthetic_dataset/Kitti", false, readScene, picturesOf}; }
+Format format() { return {"synthetic_dataset/Kitti", false, readScene, picturesOf, cloudsOf}; }
 
 }  // namespace synthetic_dataset::formats::kitti

@@ -49,8 +49,29 @@ std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraMo
   return {velodynePicture(scene.file(".bin"), *lidar, scene.settings)};
 }
 
+std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
+  const auto velodyne = scene.settings.find("velodyne");
+  if (velodyne == scene.settings.end()) return {};
+  LabelledCloud cloud;
+  cloud.lidar = velodyne->second.text();
+  addVelodynePoints(cloud, scene.file(".bin"));
+  const SequenceFrame frame = frameOf(scene, scene.file(".png"));
+  const fs::path training = scene.folder / "training";
+  const fs::path labels = training / "label_02" / (frame.sequence + ".txt");
+  std::vector<std::vector<std::string>> lines;
+  for (const auto& words : scene.kept->get<SequenceLabels>(labels)->of(frame.frame)) {
+    lines.emplace_back(words.begin() + (words.empty() ? 0 : 1), words.end());  // without the track
+  }
+  cloud.objects =
+      kittiObjects(lines, readKittiScanner(training / "calib" / (frame.sequence + ".txt")), labels);
+  assignToBoxes(cloud);
+  return {cloud};
+}
+
 }  // namespace
 
-Format format() { return {"synthetic_dataset/KittiTracking", true, readScene, picturesOf}; }
+Format format() {
+  return {"synthetic_dataset/KittiTracking", true, readScene, picturesOf, cloudsOf};
+}
 
 }  // namespace synthetic_dataset::formats::kitti_tracking

@@ -21,15 +21,15 @@ const json& TokenTable::at(const std::string& token) const {
   return found->second;
 }
 
-ImageAnnotations::ImageAnnotations(const std::filesystem::path& file) {
+RecordsByKey::RecordsByKey(const std::filesystem::path& file, const char* key) {
   readJson(file, [&](const json& table) {
-    for (const json& each : table) records_.emplace(each.at("filename").get<std::string>(), each);
+    for (const json& each : table) records_.emplace(each.at(key).get<std::string>(), each);
   });
 }
 
-std::vector<json> ImageAnnotations::of(const std::string& filename) const {
+std::vector<json> RecordsByKey::of(const std::string& text) const {
   std::vector<json> found;
-  const auto [begin, end] = records_.equal_range(filename);
+  const auto [begin, end] = records_.equal_range(text);
   for (auto each = begin; each != end; ++each) found.push_back(each->second);
   return found;
 }

@@ -23,15 +23,25 @@ class TokenTable {
   std::map<std::string, nlohmann::json> records_;
 };
 
-/// The table of what is seen in images, by their files.
-class ImageAnnotations {
+/// A table's records by what they are of.
+class RecordsByKey {
  public:
-  explicit ImageAnnotations(const std::filesystem::path& file);
+  /// @param key  of a record's text
+  RecordsByKey(const std::filesystem::path& file, const char* key);
 
-  [[nodiscard]] std::vector<nlohmann::json> of(const std::string& filename) const;
+  [[nodiscard]] std::vector<nlohmann::json> of(const std::string& text) const;
 
  private:
   std::multimap<std::string, nlohmann::json> records_;
+};
+
+struct RecordsByFile : RecordsByKey {
+  explicit RecordsByFile(const std::filesystem::path& file) : RecordsByKey(file, "filename") {}
+};
+
+struct RecordsBySample : RecordsByKey {
+  explicit RecordsBySample(const std::filesystem::path& file)
+      : RecordsByKey(file, "sample_token") {}
 };
 
 }  // namespace synthetic_dataset::formats::nuscenes

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <opencv2/imgcodecs.hpp>
@@ -57,7 +60,22 @@ class Tables {
   }
 
   [[nodiscard]] std::vector<json> labelsOf(const std::string& image) const {
-    return scene_.kept->get<ImageAnnotations>(folder_ / "image_annotations.json")->of(image);
+    return scene_.kept->get<RecordsByFile>(folder_ / "image_annotations.json")->of(image);
+  }
+
+  /// The record of the sensor's data that a file has.
+  [[nodiscard]] json dataOf(const std::string& file) const {
+    const auto found = scene_.kept->get<RecordsByFile>(folder_ / "sample_data.json")->of(file);
+    if (found.empty()) {
+      throw Error("'" + (folder_ / "sample_data.json").string() + "': no record is of '" + file +
+                  "'");
+    }
+    return found.front();
+  }
+
+  [[nodiscard]] std::vector<json> annotationsOf(const json& sample_token) const {
+    return scene_.kept->get<RecordsBySample>(folder_ / "sample_annotation.json")
+        ->of(sample_token.get<std::string>());
   }
 
   [[nodiscard]] const fs::path& folder() const { return folder_; }
@@ -101,8 +119,99 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
+/// The names of categories by their numbers in lidarseg, but for that of noise, 0.
+struct CategoryNames {
+  explicit CategoryNames(const fs::path& file) {
+    readJson(file, [&](const json& table) {
+      for (const json& each : table) {
+        if (each.count("index") == 0) continue;
+        const auto number = integerOf<std::uint16_t>(each.at("index"));
+        if (number != 0) names[number] = each.at("name").get<std::string>();
+      }
+    });
+  }
+
+  std::map<std::uint16_t, std::string> names;
+};
+
+/// The points in the ego frame, which is the scanner's with x ahead.
+void addPoints(LabelledCloud& cloud, const fs::path& file, const Pose& X_EN) {
+  constexpr std::size_t kBytesOfAPoint = 20;
+  const std::string bytes = readText(file);
+  if (bytes.size() % kBytesOfAPoint != 0) {
+    throw Error("'" + file.string() + "': it ends within a point");
+  }
+  cloud.has_rings = true;
+  for (std::size_t at = 0; at < bytes.size(); at += kBytesOfAPoint) {
+    const Eigen::Vector3d p_N(floatAt(bytes, at), floatAt(bytes, at + 4), floatAt(bytes, at + 8));
+    LabelledCloud::Point& point = cloud.points.emplace_back();
+    point.position_S = (X_EN * p_N).cast<float>();
+    const float ring = floatAt(bytes, at + 16);
+    constexpr float kMostRings = 65535.0F;
+    if (!(ring >= 0.0F && ring <= kMostRings)) {
+      throw Error("'" + file.string() + "': found the ring " + std::to_string(ring));
+    }
+    point.ring = static_cast<std::uint16_t>(ring);
+  }
+}
+
+void addCategories(LabelledCloud& cloud, const fs::path& file) {
+  const std::string bytes = readText(file);
+  if (bytes.size() != cloud.points.size()) {
+    throw Error("'" + file.string() + "': found " + std::to_string(bytes.size()) +
+                " bytes; it should have one for each of the " +
+                std::to_string(cloud.points.size()) + " points");
+  }
+  cloud.has_labels = true;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    cloud.points[i].number = static_cast<std::uint8_t>(bytes[i]);
+  }
+}
+
+void addObjects(LabelledCloud& cloud, const json& data, const Pose& X_EG, const Tables& tables) {
+  std::map<std::string, int> of_class;
+  for (const json& annotation : tables.annotationsOf(data.at("sample_token"))) {
+    const json& instance = tables.record("instance", annotation.at("instance_token"));
+    const json& category = tables.record("category", instance.at("category_token"));
+    LabelledCloud::Object object;
+    object.class_name = category.at("name").get<std::string>();
+    object.caption = object.class_name + " " + std::to_string(++of_class[object.class_name]);
+    object.corners_S = cornersOf(annotation, X_EG);
+    cloud.objects[static_cast<std::uint16_t>(cloud.objects.size() + 1)] = object;
+  }
+  assignToBoxes(cloud);
+}
+
+std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
+  std::optional<fs::path> points;
+  std::optional<fs::path> categories;
+  for (const fs::path& file : scene.files) {
+    const std::string folder = file.lexically_relative(scene.folder).begin()->string();
+    if (file.extension() == ".bin") (folder == "lidarseg" ? categories : points) = file;
+  }
+  if (!points) return {};
+  const Tables tables(scene);
+  LabelledCloud cloud;
+  if (const auto lidar = scene.settings.find("lidar"); lidar != scene.settings.end()) {
+    cloud.lidar = lidar->second.text();
+  }
+  readingJson(tables.folder() / "sample_data.json", [&] {
+    const json data = tables.dataOf(points->lexically_relative(scene.folder).string());
+    const json& sensor = tables.record("calibrated_sensor", data.at("calibrated_sensor_token"));
+    addPoints(cloud, *points, poseOf(sensor));
+    if (categories) {
+      cloud.classes = scene.kept->get<CategoryNames>(tables.folder() / "category.json")->names;
+      addCategories(cloud, *categories);
+    }
+    if (!data.at("is_key_frame").get<bool>()) return;
+    const json& ego = tables.record("ego_pose", data.at("ego_pose_token"));
+    addObjects(cloud, data, poseOf(ego).inverse(), tables);
+  });
+  return {cloud};
+}
+
 }  // namespace
 
-Format format() { return {"synthetic_dataset/NuScenes", true, readScene}; }
+Format format() { return {"synthetic_dataset/NuScenes", true, readScene, nullptr, cloudsOf}; }
 
 }  // namespace synthetic_dataset::formats::nuscenes

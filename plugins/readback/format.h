@@ -9,6 +9,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "plugins/readback/drawn_label.h"
+#include "plugins/readback/labelled_cloud.h"
 #include "plugins/readback/written_scene.h"
 #include "synthetic_dataset/label_writer.h"
 
@@ -49,6 +50,10 @@ struct Format {
   /// @throws Error as `read` does
   std::vector<DecodedPicture> (*pictures)(const WrittenScene& scene, const CameraModel& camera,
                                           const DatasetInfo& dataset) = nullptr;
+
+  /// The sweeps of lidars that a scene's files hold; null where the format has none.
+  /// @throws Error as `read` does
+  std::vector<LabelledCloud> (*clouds)(const WrittenScene& scene) = nullptr;
 };
 
 /// The name of each format's folder, under which users know it ("pascal_voc"), and its writer's

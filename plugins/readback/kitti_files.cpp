@@ -41,6 +41,44 @@ Intrinsics readKittiCamera(const std::filesystem::path& file) {
   throw Error("'" + file.string() + "': found no line of 'P2:' and 12 numbers");
 }
 
+Pose readKittiScanner(const std::filesystem::path& file) {
+  for (const std::string& line : readLines(file)) {
+    const auto words = wordsOf(line);
+    if (words.size() != 13 || words[0] != "Tr_velo_to_cam:") continue;
+    Pose X_CS = Pose::Identity();
+    for (int i = 0; i < 12; ++i) {
+      X_CS.matrix()(i / 4, i % 4) = numberOf(words[static_cast<std::size_t>(i) + 1], file);
+    }
+    return X_CS;
+  }
+  throw Error("'" + file.string() + "': found no line of 'Tr_velo_to_cam:' and 12 numbers");
+}
+
+std::map<std::uint16_t, LabelledCloud::Object> kittiObjects(
+    const std::vector<std::vector<std::string>>& lines, const Pose& X_CS,
+    const std::filesystem::path& file) {
+  constexpr std::size_t kColumns = 15;
+  std::map<std::uint16_t, LabelledCloud::Object> objects;
+  std::map<std::string, int> of_class;
+  const Pose X_SC = X_CS.inverse();
+  for (const std::vector<std::string>& words : lines) {
+    if (words.size() != kColumns) {
+      throw Error("'" + file.string() + "': found a label of " + std::to_string(words.size()) +
+                  " columns");
+    }
+    if (words[0] == kDontCare) continue;
+    std::vector<double> numbers;
+    for (std::size_t i = 8; i < kColumns; ++i) numbers.push_back(numberOf(words[i], file));
+    LabelledCloud::Object object;
+    object.class_name = words[0];
+    object.caption = words[0] + " " + std::to_string(++of_class[words[0]]);
+    object.corners_S = kittiCorners(numbers);
+    for (Eigen::Vector3d& corner : *object.corners_S) corner = X_SC * corner;
+    objects[static_cast<std::uint16_t>(objects.size() + 1)] = object;
+  }
+  return objects;
+}
+
 DrawnLabel kittiLabel(const std::vector<std::string>& words, const Intrinsics& camera,
                       const std::filesystem::path& file) {
   std::vector<double> numbers;

@@ -123,13 +123,13 @@ void checkMask(const DrawnLabel& label, const cv::Size& size) {
 
 }  // namespace
 
+cv::Scalar labelColour(std::size_t number) { return kColours[number % kColours.size()]; }
+
 cv::Mat drawLabels(const LabelledPicture& picture) {
   for (const DrawnLabel& label : picture.labels) checkMask(label, picture.image.size());
   cv::Mat result = picture.image.clone();
   const std::vector<DrawnLabel>& labels = picture.labels;
-  const auto colourOf = [&](std::size_t i) {
-    return kColours[labels[i].colour.value_or(i) % kColours.size()];
-  };
+  const auto colourOf = [&](std::size_t i) { return labelColour(labels[i].colour.value_or(i)); };
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!labels[i].mask.empty()) tint(result, labels[i].mask, colourOf(i));
     for (const auto& polygon : labels[i].polygons) {

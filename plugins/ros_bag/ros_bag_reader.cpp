@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -151,8 +152,98 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
+/// Where a point's number of a field stands in its bytes.
+std::size_t offsetOf(const sensor_msgs::PointCloud2& message, const char* field,
+                     const fs::path& file) {
+  for (const sensor_msgs::PointField& each : message.fields) {
+    if (each.name == field && each.offset + 4 <= message.point_step) return each.offset;
+  }
+  throw Error("'" + file.string() + "': its points have no field '" + field + "'");
+}
+
+sensor_msgs::PointCloud2 readCloudMessage(const fs::path& file) {
+  try {
+    return cloudIn(readText(file));
+  } catch (const ros::serialization::StreamOverrunException& error) {
+    throw Error("'" + file.string() + "': " + error.what());
+  }
+}
+
+/// The points that were measured, with the numbers of their classes and objects.
+LabelledCloud pointsOf(const sensor_msgs::PointCloud2& message, const fs::path& file) {
+  LabelledCloud cloud;
+  cloud.has_rings = cloud.has_labels = true;
+  cloud.rays = std::int64_t{message.width} * message.height;
+  const std::string bytes(message.data.begin(), message.data.end());
+  const std::size_t x = offsetOf(message, "x", file);
+  const std::size_t ring = offsetOf(message, "ring", file);
+  const std::size_t label = offsetOf(message, "label", file);
+  const std::size_t instance = offsetOf(message, "instance", file);
+  const auto half = [&](std::size_t at) {
+    return static_cast<std::uint16_t>(wordAt(bytes, at) & 0xFFFFU);
+  };
+  for (std::size_t at = 0; at + message.point_step <= bytes.size(); at += message.point_step) {
+    LabelledCloud::Point point;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.position_S[static_cast<Eigen::Index>(axis)] = floatAt(bytes, at + x + 4 * axis);
+    }
+    if (!point.position_S.allFinite()) continue;
+    point.ring = half(at + ring);
+    point.number = half(at + label);
+    point.object = half(at + instance);
+    cloud.points.push_back(point);
+  }
+  return cloud;
+}
+
+/// The boxes and names of objects, which the bag has of what the camera sees.
+void addObjects(LabelledCloud& cloud, const std::vector<Marker>& markers, const Pose& X_GS) {
+  for (const Marker& box : markers) {
+    if (box.type != Marker::CUBE || box.action != Marker::ADD) continue;
+    const auto number = static_cast<std::uint16_t>(box.id);
+    LabelledCloud::Object& object = cloud.objects[number];
+    object.class_name = box.ns;
+    object.caption = box.ns + " " + std::to_string(box.id);
+    const Eigen::Vector3d corner(0.5 * box.scale.x, 0.5 * box.scale.y, 0.5 * box.scale.z);
+    const Pose X_SB = X_GS.inverse() * poseOf(box.pose.position, box.pose.orientation);
+    object.corners_S = Cuboid{-corner, corner}.corners();
+    for (Eigen::Vector3d& each : *object.corners_S) each = X_SB * each;
+  }
+  for (const LabelledCloud::Point& point : cloud.points) {
+    const auto object = cloud.objects.find(point.object);
+    if (object != cloud.objects.end()) cloud.classes[point.number] = object->second.class_name;
+  }
+}
+
+std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
+  std::vector<LabelledCloud> clouds;
+  for (const fs::path& file : scene.files) {
+    if (file.extension() != ".msg") continue;
+    const sensor_msgs::PointCloud2 message = readCloudMessage(file);
+    LabelledCloud cloud = pointsOf(message, file);
+    cloud.lidar = file.parent_path().filename().string();
+    const fs::path bag_file = bagIn(scene.folder);
+    try {
+      const auto bag = scene.kept->get<OpenBag>(bag_file);
+      Pose X_GS = Pose::Identity();
+      for (const geometry_msgs::TransformStamped& each : bag->transforms(message.header.stamp)) {
+        if (each.child_frame_id != message.header.frame_id) continue;
+        X_GS = poseOf(each.transform.translation, each.transform.rotation);
+      }
+      const std::string topic = bag->rootOf(scene.camera_index) + "/objects";
+      addObjects(cloud,
+                 bag->at<visualization_msgs::MarkerArray>(topic, message.header.stamp).markers,
+                 X_GS);
+    } catch (const rosbag::BagException& error) {
+      throw Error("'" + bag_file.string() + "': " + error.what());
+    }
+    clouds.push_back(std::move(cloud));
+  }
+  return clouds;
+}
+
 }  // namespace
 
-Format format() { return {"synthetic_dataset/RosBag", true, readScene}; }
+Format format() { return {"synthetic_dataset/RosBag", true, readScene, nullptr, cloudsOf}; }
 
 }  // namespace synthetic_dataset::formats::ros_bag

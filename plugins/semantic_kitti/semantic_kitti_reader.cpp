@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,12 +6,12 @@
 #include <vector>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "plugins/readback/cloud_pictures.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/semantic_kitti/semantic_kitti_classes.h"
-#include "plugins/shared/colour_map.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::formats::semantic_kitti {
@@ -22,83 +19,84 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct LabelledPoint {
-  float x = 0.0F;  ///< ahead [m]
-  float y = 0.0F;  ///< to the left [m]
-  std::uint32_t class_number = 0;
-  std::uint32_t instance = 0;
+/// The names of classes by their numbers, of `semantic-kitti.yaml`; none before the dataset is
+/// complete.
+struct ClassNames {
+  explicit ClassNames(const fs::path& file) {
+    if (!fs::exists(file)) return;
+    bool is_in_list = false;
+    for (const std::string& line : readLines(file)) {
+      if (line.front() != ' ') {
+        is_in_list = line == "labels:";
+        continue;
+      }
+      const std::size_t colon = line.find(": \"");
+      if (!is_in_list || colon == std::string::npos) continue;
+      const double number = numberOf(line.substr(2, colon - 2), file);
+      names[static_cast<std::uint16_t>(number)] =
+          line.substr(colon + 3, line.rfind('"') - colon - 3);
+    }
+  }
+
+  std::map<std::uint16_t, std::string> names;
 };
 
-std::uint32_t wordAt(const std::string& bytes, std::size_t word) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, bytes.data() + 4 * word, sizeof value);
-  return value;
-}
-
-float numberAt(const std::string& bytes, std::size_t word) {
-  float value = 0.0F;
-  std::memcpy(&value, bytes.data() + 4 * word, sizeof value);
-  return value;
-}
-
 /// @throws Error where there is not a label for each point
-std::vector<LabelledPoint> readPoints(const fs::path& cloud, const fs::path& labels) {
-  constexpr std::size_t kBytesOfAPoint = 16;
-  const std::string of_cloud = readText(cloud);
-  const std::string of_labels = readText(labels);
-  const std::size_t count = of_cloud.size() / kBytesOfAPoint;
-  if (of_cloud.size() % kBytesOfAPoint != 0 || of_labels.size() != 4 * count) {
-    throw Error("'" + labels.string() + "': found " + std::to_string(of_labels.size()) +
-                " bytes; it should have four for each point of '" + cloud.string() +
-                "', which has " + std::to_string(of_cloud.size()) + " bytes");
+LabelledCloud readCloud(const WrittenScene& scene) {
+  const fs::path file = scene.file(".label");
+  LabelledCloud cloud;
+  if (const auto lidar = scene.settings.find("lidar"); lidar != scene.settings.end()) {
+    cloud.lidar = lidar->second.text();
   }
-  std::vector<LabelledPoint> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t label = wordAt(of_labels, i);
-    points.push_back(
-        {numberAt(of_cloud, 4 * i), numberAt(of_cloud, 4 * i + 1), label & 0xFFFFU, label >> 16U});
+  addVelodynePoints(cloud, scene.file(".bin"));
+  const std::string labels = readText(file);
+  if (labels.size() != 4 * cloud.points.size()) {
+    throw Error("'" + file.string() + "': found " + std::to_string(labels.size()) +
+                " bytes; it should have four for each of the cloud's " +
+                std::to_string(cloud.points.size()) + " points");
   }
-  return points;
+  const std::map<std::uint16_t, std::string> names =
+      scene.kept->get<ClassNames>(scene.folder / "semantic-kitti.yaml")->names;
+  cloud.has_labels = true;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const std::uint32_t label = wordAt(labels, 4 * i);
+    LabelledCloud::Point& point = cloud.points[i];
+    point.number = static_cast<std::uint16_t>(label & 0xFFFFU);
+    point.object = static_cast<std::uint16_t>(label >> 16U);
+    if (point.number == 0) continue;
+    std::string& name = cloud.classes[point.number];
+    const auto found = names.find(point.number);
+    name = found != names.end() ? found->second : "class " + std::to_string(point.number);
+    if (point.object == 0) continue;
+    LabelledCloud::Object& object = cloud.objects[point.object];
+    object.class_name = name;
+    object.caption = name + " " + std::to_string(point.object);
+  }
+  return cloud;
 }
 
-/// The cloud seen from above, the scanner in the middle, x to the right and y upwards, coloured by
-/// classes; around the points of each object a box.
-LabelledPicture seenFromAbove(const std::vector<LabelledPoint>& points) {
-  constexpr int kSize = 800;       // [px]
-  constexpr double kShown = 0.98;  // of all points
-  std::vector<float> distances;
-  for (const LabelledPoint& p : points) distances.push_back(std::hypot(p.x, p.y));
-  std::sort(distances.begin(), distances.end());
-  const double reach =
-      distances.empty()
-          ? 1.0
-          : distances[static_cast<std::size_t>(kShown * static_cast<double>(distances.size() - 1))];
-  const double scale = 0.48 * kSize / std::max(reach, 1.0);
-  const std::vector<cv::Vec3b> colours = vocColourMap();
-  LabelledPicture picture{cv::Mat(kSize, kSize, CV_8UC3, cv::Scalar::all(0)), {}};
-  std::map<std::uint32_t, DrawnLabel> objects;
-  for (const LabelledPoint& p : points) {
-    const double u = 0.5 * kSize + scale * p.x;
-    const double v = 0.5 * kSize - scale * p.y;
-    if (!(u >= 0.0 && v >= 0.0 && u < kSize && v < kSize)) continue;
-    const cv::Vec3b colour =
-        p.class_number == 0 ? cv::Vec3b(96, 96, 96) : colours[p.class_number % colours.size()];
-    picture.image.at<cv::Vec3b>(static_cast<int>(v), static_cast<int>(u)) = colour;
-    if (p.instance == 0) continue;
-    DrawnLabel& label = objects[p.instance];
-    label.caption = std::to_string(p.class_number) + " #" + std::to_string(p.instance);
-    label.class_names = {std::to_string(p.class_number)};
-    if (!label.box) label.box = Box{u, v, u, v};
-    label.box = Box{std::min(label.box->left, u), std::min(label.box->top, v),
-                    std::max(label.box->right, u), std::max(label.box->bottom, v)};
-  }
-  for (const auto& [instance, label] : objects) picture.labels.push_back(label);
-  return picture;
+std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
+  if (scene.files.empty()) return {};
+  return {readCloud(scene)};
 }
 
+/// The camera's image, where it was written, and the objects of which there are points: labels are
+/// of these alone.
 LabelledPicture readScene(const WrittenScene& scene) {
-  if (scene.files.empty()) return {cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)), {}};
-  return seenFromAbove(readPoints(scene.file(".bin"), scene.file(".label")));
+  LabelledPicture picture;
+  if (scene.files.empty()) return picture;
+  for (const fs::path& file : scene.files) {
+    if (file.extension() == ".png") picture.image = readPicture(file, cv::IMREAD_COLOR);
+  }
+  const LabelledCloud cloud = readCloud(scene);
+  std::map<std::uint16_t, std::uint16_t> classes;  // by object
+  for (const LabelledCloud::Point& point : cloud.points) classes[point.object] = point.number;
+  for (const auto& [number, object] : cloud.objects) {
+    DrawnLabel& label = picture.labels.emplace_back();
+    label.caption = object.caption;
+    label.class_names = {std::to_string(classes[number])};  // names are there at the end alone
+  }
+  return picture;
 }
 
 /// The labels as the manifest knows them; nothing where classes share a number.
@@ -112,7 +110,7 @@ std::optional<DecodedPicture> labelsPicture(const fs::path& file, std::size_t li
   picture.files = {file};
   cv::Mat_<cv::Vec3w> labels(static_cast<int>(bytes.size() / 4), 1);
   for (int row = 0; row < labels.rows; ++row) {
-    const std::uint32_t label = wordAt(bytes, static_cast<std::size_t>(row));
+    const std::uint32_t label = wordAt(bytes, 4 * static_cast<std::size_t>(row));
     const std::uint32_t number = label & 0xFFFFU;
     auto meaning = classes.meaningOf(number);
     if (classes.names().count(number) == 0) meaning = SemanticKittiClasses::Meaning{kNone, kNone};
@@ -143,6 +141,8 @@ std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraMo
 
 }  // namespace
 
-Format format() { return {"synthetic_dataset/SemanticKitti", false, readScene, picturesOf}; }
+Format format() {
+  return {"synthetic_dataset/SemanticKitti", false, readScene, picturesOf, cloudsOf};
+}
 
 }  // namespace synthetic_dataset::formats::semantic_kitti

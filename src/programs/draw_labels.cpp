@@ -12,10 +12,13 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/json_text.h"
 #include "base/printable_text.h"
 #include "programs/drawing/label_sheets.h"
+#include "programs/drawing/sweep_facts.h"
 #include "programs/drawing/video_file.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace {
 
@@ -25,15 +28,19 @@ namespace fs = std::filesystem;
 constexpr const char* kUsage =
     R"(usage: draw_labels DATASET PICTURE [SCENE [WRITER]]
        draw_labels --all DATASET FOLDER [WRITER]
+       draw_labels --clouds DATASET FOLDER [SCENE...]
        draw_labels --video FILE.mp4 [--rate HZ] DATASET [WRITER]
 
-Draws the labels that the files of a dataset contain on its images.
+Draws the labels that the files of a dataset contain on its images, and clouds of lidars from above and
+as range images.
 
   DATASET   the folder of the run's manifest
   PICTURE   the picture to make, .png or .jpg
   SCENE     the scene's index, from 0; without it, the one in the middle
   WRITER    the name of the writer to draw; without it, a panel for each
   --all     a picture of each scene, in FOLDER, which is made or empty
+  --clouds  a picture of each sweep of these scenes, or of all, in FOLDER, which is made or empty;
+            prints a line of JSON for each, with its numbers
   --video   a film of all scenes, by ffmpeg
   --rate    pictures a second of the film, 10 by default
   --help    prints this
@@ -45,6 +52,7 @@ Exit codes: 0 done, 1 something cannot be read or written, 2 a wrong usage.
 
 struct Arguments {
   bool all = false;
+  bool clouds = false;
   bool wants_help = false;
   std::optional<std::string> video;
   double rate = 10.0;  // [Hz]
@@ -58,6 +66,8 @@ std::optional<Arguments> parse(const std::vector<std::string>& given) {
     const bool has_next = i + 1 < given.size();
     if (given[i] == "--all") {
       arguments.all = true;
+    } else if (given[i] == "--clouds") {
+      arguments.clouds = true;
     } else if (given[i] == "--help" || given[i] == "-h") {
       arguments.wants_help = true;
     } else if (given[i] == "--video" && has_next) {
@@ -73,10 +83,13 @@ std::optional<Arguments> parse(const std::vector<std::string>& given) {
     }
   }
   const std::size_t count = arguments.names.size();
-  const bool fits = arguments.video ? count >= 1 && count <= 2
-                    : arguments.all ? count >= 2 && count <= 3
-                                    : count >= 2 && count <= 4;
-  if (arguments.wants_help || (fits && !(arguments.all && arguments.video))) return arguments;
+  const bool fits = arguments.video    ? count >= 1 && count <= 2
+                    : arguments.all    ? count >= 2 && count <= 3
+                    : arguments.clouds ? count >= 2
+                                       : count >= 2 && count <= 4;
+  const int kinds = static_cast<int>(arguments.all) + static_cast<int>(arguments.clouds) +
+                    static_cast<int>(arguments.video.has_value());
+  if (arguments.wants_help || (fits && kinds <= 1)) return arguments;
   return std::nullopt;
 }
 
@@ -150,26 +163,61 @@ std::int64_t drawEach(programs::LabelSheets& sheets, const Use& use) {
   return drawn;
 }
 
-void drawAll(const std::vector<std::string>& names) {
-  programs::LabelSheets sheets = sheetsOf(names, 2);
-  const fs::path folder = names[1];
+/// Makes the folder FOLDER, which is to be empty and no writer's.
+void makeFolder(const fs::path& folder, const programs::LabelSheets& sheets) {
   if (sheets.dataset().isInAWriter(folder)) {
-    throw Error("FOLDER: '" + names[1] +
-                "' lies in the folder of a writer of the dataset; choose " + "another");
+    throw Error("FOLDER: '" + folder.string() +
+                "' lies in the folder of a writer of the dataset; choose another");
   }
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder)) {
-    throw Error("FOLDER: '" + names[1] + "' cannot be made" +
+    throw Error("FOLDER: '" + folder.string() + "' cannot be made" +
                 (error ? ": " + error.message() : ""));
   }
   if (!fs::is_empty(folder)) {
-    throw Error("FOLDER: '" + names[1] + "' is not empty; choose another, or remove what is there");
+    throw Error("FOLDER: '" + folder.string() +
+                "' is not empty; choose another, or remove what is there");
   }
-  drawEach(sheets, [&](std::string name, const cv::Mat& sheet) {
-    for (char& c : name) c = c == '/' ? '_' : c;  // of several cameras: front/00000012
-    writePicture((folder / (name + ".png")).string(), sheet);
+}
+
+/// A scene's name as one of a file: of several cameras, it has a folder.
+std::string fileNameOf(std::string scene) {
+  for (char& c : scene) c = c == '/' ? '_' : c;
+  return scene;
+}
+
+void drawAll(const std::vector<std::string>& names) {
+  programs::LabelSheets sheets = sheetsOf(names, 2);
+  const fs::path folder = names[1];
+  makeFolder(folder, sheets);
+  drawEach(sheets, [&](const std::string& name, const cv::Mat& sheet) {
+    writePicture((folder / (fileNameOf(name) + ".png")).string(), sheet);
   });
+}
+
+void drawClouds(const std::vector<std::string>& names) {
+  programs::LabelSheets sheets = sheetsOf(names, names.size());
+  const fs::path folder = names[1];
+  makeFolder(folder, sheets);
+  std::vector<std::int64_t> scenes;
+  for (std::size_t i = 2; i < names.size(); ++i) scenes.push_back(sceneIndex(names[i]));
+  if (scenes.empty()) scenes = sheets.dataset().scenes();
+  std::int64_t drawn = 0;
+  for (const std::int64_t scene : scenes) {
+    const std::string name = fileNameOf(sheets.dataset().scene(scene).name);
+    for (const programs::LabelSheets::Sweep& sweep : sheets.sweeps(scene)) {
+      const std::string file = name + "_" + safeFileName(sweep.cloud.lidar) + ".png";
+      writePicture((folder / file).string(), sheets.drawn(sweep));
+      Value::Map facts = programs::sweepFacts(sweep.cloud);
+      facts["scene"] = scene;
+      facts["writer"] = sweep.writer;
+      facts["picture"] = file;
+      std::cout << base::strictJsonText(Value(facts)) << '\n';
+      ++drawn;
+    }
+  }
+  if (drawn == 0) throw Error("'" + names[0] + "': these scenes have no clouds of lidars");
 }
 
 void drawVideo(const Arguments& arguments) {
@@ -199,6 +247,8 @@ int main(int argc, char** argv) {
   try {
     if (arguments->video) {
       drawVideo(*arguments);
+    } else if (arguments->clouds) {
+      drawClouds(arguments->names);
     } else if (arguments->all) {
       drawAll(arguments->names);
     } else {

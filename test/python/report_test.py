@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`report`: what its page says, against the manifest, and that it needs nothing else."""
 import html.parser
+import json
 import re
 import shutil
 import sqlite3
@@ -175,6 +176,54 @@ class OfBoxesAlone(DatasetCase):
         self.assertIn('Distance', page.text)
         self.assertNotIn('Visibility', page.text)
         self.assertIn('not divided into splits', page.text)
+
+
+class OfLidars(DatasetCase):
+
+    WRITERS = ('writers: [{name: nuscenes, type: synthetic_dataset/NuScenes}]\n'
+               'nuscenes: {keyframe_every: 3}\n'
+               'lidars: {top: {model: VLP-16, mounted_on: rover_1, pose: [0.0, 0.0, 1.2, 0, 0, 0, 1]}}\n')
+
+    @classmethod
+    def generate(cls, *arguments):
+        code, text = super().generate(*arguments)
+        if 'libembree' in text:
+            raise unittest.SkipTest('lidars need Embree')
+        return code, text
+
+    def points_in_files(self):
+        """How many points each sweep has, in the order of scenes."""
+        files = sorted(self.folder.rglob('*.pcd.bin'), key=lambda file: file.name)
+        return [file.stat().st_size // 20 for file in files]
+
+    def test_shows_sweeps_and_their_numbers(self):
+        code, text = run('report', self.folder)
+        self.assertEqual(code, 0, text)
+        page = Page((self.folder / 'report.html').read_text('utf-8'))
+        points = self.points_in_files()
+        self.assertEqual(len(points), SCENES)
+        self.assertIn(f'points a sweep {int(np.mean(points)):,} {min(points):,} to {max(points):,}', page.text)
+        self.assertIn('rays with a return', page.text)
+        self.assertIn('Points of an object', page.text)
+        shown = [each['alt'] for tag, each in page.tags if tag == 'img' and 'sweep of' in each['alt']]
+        self.assertEqual(shown[0], 'sweep of top in scene 0', 'the first key frame')
+
+    def test_draws_each_sweep_alone(self):
+        folder = self.scratch / 'clouds'
+        code, text = run('draw_labels', '--clouds', self.folder, folder, 0, 1)
+        self.assertEqual(code, 0, text)
+        sweeps = [json.loads(line) for line in text.splitlines()]
+        self.assertEqual([each['points'] for each in sweeps], self.points_in_files()[:2])
+        self.assertEqual([each['labelled'] for each in sweeps], [True, False], 'scene 1 is no key frame')
+        self.assertEqual(sum(sweeps[0]['classes'].values()), sweeps[0]['points'])
+        for each in sweeps:
+            self.assertEqual(each['rays'], 16 * 1808, '16 rings, a column each 55.296 us of a tenth of a second')
+            with Image.open(folder / each['picture']) as picture:
+                self.assertGreater(picture.width, 1000)
+
+    def test_verify_knows_sweeps(self):
+        code, text = run('verify', self.folder)
+        self.assertEqual(code, 0, text)
 
 
 class OfRecordedPictures(DatasetCase):

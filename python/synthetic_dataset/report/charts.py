@@ -83,23 +83,38 @@ def _svg(figure, description):
 
 def _series(measures, values, of_labels=True):
     """Yields each class's name, colour and values; further classes are one series together."""
+    yield from _series_of(measures, measures.label_class, values, of_labels)
+
+
+def _series_of(measures, classes, values, of_values=True):
+    """The same of values that are no labels'. @param classes  the class of each"""
     colours = colours_of(measures)
     shown = [each for each, colour in enumerate(colours) if colour != FAINT]
     letters = MOST_LETTERS if len(colours) <= 3 else MOST_LETTERS // 2
     for each in shown:
-        of_class = values[(measures.label_class == each) & of_labels]
+        of_class = values[(classes == each) & of_values]
         if len(of_class):
             yield short(measures.class_names[each], letters), colours[each], of_class
-    rest = values[~np.isin(measures.label_class, shown) & of_labels]
+    rest = values[~np.isin(classes, shown) & of_values]
     if len(rest):
         yield 'others', FAINT, rest
 
 
-@_styled
 def histogram(measures, values, label, bins, log=False, marks=(), of_labels=True):
-    """How often a value occurs, by class."""
+    """How often labels have a value, by class."""
+    series = _series(measures, np.clip(values, bins[0], bins[-1]), of_labels)
+    return _stacked(list(series), label, 'labels', bins, log, marks)
+
+
+def of_classes(measures, classes, values, label, of_what, bins, log=False, marks=()):
+    """The same of what are no labels. @param classes  the class of each value"""
+    series = _series_of(measures, classes, np.clip(values, bins[0], bins[-1]))
+    return _stacked(list(series), label, of_what, bins, log, marks)
+
+
+@_styled
+def _stacked(series, label, of_what, bins, log, marks):
     figure, axes = _figure()
-    series = list(_series(measures, np.clip(values, bins[0], bins[-1]), of_labels))
     axes.hist([each[2] for each in series], bins=bins, stacked=True,
               color=[each[1] for each in series], label=[each[0] for each in series],
               edgecolor='white', linewidth=0.4)
@@ -111,7 +126,7 @@ def histogram(measures, values, label, bins, log=False, marks=(), of_labels=True
         axes.annotate(text, (position, 1.0), xycoords=('data', 'axes fraction'), xytext=(3, -8),
                       textcoords='offset points', fontsize=7.5, color=INK,
                       bbox={'facecolor': 'white', 'edgecolor': 'none', 'pad': 0.8})
-    return _finished(figure, axes, label, 'labels', len(series) > 1, label)
+    return _finished(figure, axes, label, of_what, len(series) > 1, label)
 
 
 @_styled

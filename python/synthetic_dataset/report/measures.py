@@ -40,6 +40,7 @@ class Measures:
         self.object = rows['object'].astype(int)
         order = {number: index for index, number in enumerate(sorted(dataset.classes))}
         class_of = np.array([order[each.class_id] for each in dataset.objects], int)
+        self.class_of_object = class_of  # the row of its class, of each object of the dataset
         self.label_class = class_of[self.object] if self.count else np.zeros(0, int)
         self.split = self.scene_split[self.scene]
         self.box, self.box_kind = _boxes(rows, self.scene_size[self.scene])

@@ -9,6 +9,7 @@ from synthetic_dataset.manifest import DatasetError
 from synthetic_dataset.report import charts, tiles
 from synthetic_dataset.report.brightness import Brightness
 from synthetic_dataset.report.choice import choose
+from synthetic_dataset.report.clouds import Clouds
 from synthetic_dataset.report.draws import drawn_values
 from synthetic_dataset.report.findings import findings
 from synthetic_dataset.report.measures import Measures
@@ -51,7 +52,7 @@ def page_of(dataset, log=None):
                for each in choose(measures, brightness)],
         classes=_classes(measures, counts), splits=_splits(measures, splits),
         charts=_charts(measures, splits, counts), angles=_angles(measures),
-        brightness=_brightness(brightness, len(dataset)),
+        brightness=_brightness(brightness, len(dataset)), clouds=Clouds(dataset, measures),
         neighbours=_pairs(dataset, measures, neighbours),
         draws=drawn_values(dataset), stages=stages_in(log) if log else [], **_tables(dataset))
 

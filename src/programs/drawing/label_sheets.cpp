@@ -6,15 +6,18 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "plugins/readback/cloud_panel.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/label_overlay.h"
+#include "programs/drawing/lidar_rays.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
 
 namespace {
 
-constexpr int kPanelCaption = 24;
+constexpr int kPanelCaption = 24;  // [px]
+constexpr int kGap = 8;            // between parts of a panel [px]
 const cv::Scalar kSheetColour = cv::Scalar::all(30);
 
 }  // namespace
@@ -26,6 +29,9 @@ LabelSheets::LabelSheets(const std::string& folder, const std::optional<std::str
       writers_(dataset_.writers()),
       warn_(std::move(warn)) {
   if (writers_.empty()) throw Error("'" + folder + "': its manifest lists no writers");
+  const output::RunDescription& run = dataset_.content().run;
+  for (const auto& each : run.classes) classes_.push_back(each.name);
+  rays_ = raysOfLidars(run);
   if (!writer) return;
   const std::string names = writerNames();
   const auto found =
@@ -49,17 +55,115 @@ std::string LabelSheets::writerNames() const {
   return names;
 }
 
+formats::WrittenScene LabelSheets::written(const output::WrittenWriter& writer,
+                                           std::int64_t scene) const {
+  const output::WrittenSceneRow row = dataset_.scene(scene);
+  return {writer.folder, row.name,       row.camera_index, row.stamp, dataset_.files(writer, scene),
+          kept_,         writer.settings};
+}
+
 /// Without an image where the writer made nothing of the scene that can be read.
 formats::LabelledPicture LabelSheets::labelsOf(const output::WrittenWriter& writer,
                                                std::int64_t scene) const {
   const formats::Format* format = formats::formatOf(writer.type);
   if (format == nullptr) return {};
-  const output::WrittenSceneRow row = dataset_.scene(scene);
-  const formats::WrittenScene written{
-      writer.folder, row.name,       row.camera_index, row.stamp, dataset_.files(writer, scene),
-      kept_,         writer.settings};
-  if (written.files.empty()) return {};
-  return format->read(written);
+  const formats::WrittenScene files = written(writer, scene);
+  if (files.files.empty()) return {};
+  formats::LabelledPicture picture = format->read(files);
+  if (format->clouds == nullptr) return picture;
+  for (formats::DrawnLabel& label : picture.labels) {  // as in pictures of clouds
+    if (label.colour || label.class_names.size() != 1) continue;
+    const auto found = std::find(classes_.begin(), classes_.end(), label.class_names.front());
+    if (found != classes_.end()) label.colour = static_cast<std::size_t>(found - classes_.begin());
+  }
+  return picture;
+}
+
+std::vector<formats::LabelledCloud> LabelSheets::cloudsOf(const output::WrittenWriter& writer,
+                                                          std::int64_t scene) const {
+  const formats::Format* format = formats::formatOf(writer.type);
+  if (format == nullptr || format->clouds == nullptr) return {};
+  const formats::WrittenScene files = written(writer, scene);
+  if (files.files.empty()) return {};
+  std::vector<formats::LabelledCloud> clouds = format->clouds(files);
+  for (formats::LabelledCloud& cloud : clouds) {
+    if (cloud.lidar.empty() && rays_.size() == 1) cloud.lidar = rays_.begin()->first;
+    const auto rays = rays_.find(cloud.lidar);
+    if (!cloud.rays && rays != rays_.end()) cloud.rays = rays->second;
+  }
+  return clouds;
+}
+
+std::vector<LabelSheets::Sweep> LabelSheets::sweeps(std::int64_t scene) {
+  const auto knowledge = [](const formats::LabelledCloud& cloud) {
+    const bool has_boxes = std::any_of(cloud.objects.begin(), cloud.objects.end(),
+                                       [](const auto& each) { return each.second.corners_S; });
+    return 2 * static_cast<int>(cloud.has_labels) + static_cast<int>(has_boxes);
+  };
+  std::map<std::string, Sweep> best;  // by the lidar's name
+  for (const output::WrittenWriter& writer : writers_) {
+    reading(writer, [&] {
+      for (formats::LabelledCloud& cloud : cloudsOf(writer, scene)) {
+        const auto found = best.find(cloud.lidar);
+        if (found != best.end() && knowledge(found->second.cloud) >= knowledge(cloud)) continue;
+        const std::string lidar = cloud.lidar;
+        best[lidar] = {writer.name, std::move(cloud)};
+      }
+    });
+  }
+  std::vector<Sweep> sweeps;
+  for (auto& [lidar, sweep] : best) sweeps.push_back(std::move(sweep));
+  return sweeps;
+}
+
+cv::Mat LabelSheets::drawn(const Sweep& sweep) const {
+  return formats::drawCloud(sweep.cloud, classes_);
+}
+
+void LabelSheets::reading(const output::WrittenWriter& writer, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const std::exception& error) {
+    if (is_one_) throw;
+    // After a run that was stopped, formats with files for the whole dataset cannot be read.
+    const std::string message = "left out '" + writer.name + "': " + error.what();
+    if (warned_.insert(message).second) warn_(message);
+  }
+}
+
+/// The image with its labels, and the clouds beside it; empty where the writer made none of them.
+cv::Mat LabelSheets::pictureOf(const output::WrittenWriter& writer, std::int64_t scene) const {
+  std::vector<cv::Mat> parts;
+  const formats::LabelledPicture labels = labelsOf(writer, scene);
+  if (!labels.image.empty()) parts.push_back(formats::drawLabels(labels));
+  for (const formats::LabelledCloud& cloud : cloudsOf(writer, scene)) {
+    parts.push_back(formats::drawCloud(cloud, classes_));
+  }
+  if (parts.size() <= 1) return parts.empty() ? cv::Mat() : parts.front();
+  cv::Size size(-kGap, 0);
+  for (const cv::Mat& part : parts) {
+    size.width += part.cols + kGap;
+    size.height = std::max(size.height, part.rows);
+  }
+  cv::Mat picture(size, CV_8UC3, kSheetColour);
+  int left = 0;
+  for (const cv::Mat& part : parts) {
+    part.copyTo(picture(cv::Rect({left, 0}, part.size())));
+    left += part.cols + kGap;
+  }
+  return picture;
+}
+
+std::optional<cv::Mat> LabelSheets::labelledImage(std::int64_t scene) {
+  std::optional<cv::Mat> image;
+  for (const output::WrittenWriter& writer : writers_) {
+    reading(writer, [&] {
+      const formats::LabelledPicture labels = labelsOf(writer, scene);
+      if (!labels.image.empty()) image = formats::drawLabels(labels);
+    });
+    if (image) return image;
+  }
+  return image;
 }
 
 std::optional<cv::Mat> LabelSheets::image(std::int64_t scene) const {
@@ -77,15 +181,7 @@ std::vector<LabelSheets::Panel> LabelSheets::panelsOf(std::int64_t scene) {
   std::vector<Panel> panels;
   for (const output::WrittenWriter& writer : writers_) {
     panels.push_back({writer.name + "  (" + writer.type + ")", {}});
-    try {
-      const formats::LabelledPicture labels = labelsOf(writer, scene);
-      if (!labels.image.empty()) panels.back().picture = formats::drawLabels(labels);
-    } catch (const std::exception& error) {
-      if (is_one_) throw;
-      // After a run that was stopped, formats with files for the whole dataset cannot be read.
-      const std::string message = "left out '" + writer.name + "': " + error.what();
-      if (warned_.insert(message).second) warn_(message);
-    }
+    reading(writer, [&] { panels.back().picture = pictureOf(writer, scene); });
   }
   return panels;
 }

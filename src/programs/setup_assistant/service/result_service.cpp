@@ -147,7 +147,7 @@ HttpResponse ResultService::picture(const std::string& name, const HttpRequest& 
   std::optional<std::string> writer = request.parameter("writer");
   if (has_labels && !writer) writer = writerToShow(output::WrittenDataset(of));
   LabelSheets sheets(of, has_labels ? writer : std::nullopt, ignore);
-  const auto picture = has_labels ? sheets.sheet(scene) : sheets.image(scene);
+  const auto picture = has_labels ? sheets.labelledImage(scene) : sheets.image(scene);
   if (!picture) throw HttpError(404, "no writer made a picture of scene " + std::to_string(scene));
   HttpResponse response;
   response.type = "image/jpeg";
