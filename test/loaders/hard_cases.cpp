@@ -1,5 +1,6 @@
 #include "loaders/hard_cases.h"
 
+#include "base/random/random_source.h"
 #include "support/bag_builder.h"
 #include "support/robot_arm.h"
 
@@ -66,6 +67,19 @@ std::string staticBox(const std::string& name, const std::string& pose, const st
   return "<model name='" + name + "'><static>true</static><pose>" + pose +
          "</pose><link name='body'><visual name='v'><geometry><box><size>" + size +
          "</size></box></geometry></visual></link></model>\n";
+}
+
+/// A box that stands on its origin.
+LoaderObject standing(const std::string& name, const std::string& class_name,
+                      const std::string& colour, const Eigen::Vector3d& size) {
+  const auto text = [](double number) { return std::to_string(number); };
+  return {name,
+          class_name,
+          colour,
+          {boxVisual("0 0 " + text(size.z() / 2) + " 0 0 0",
+                     text(size.x()) + " " + text(size.y()) + " " + text(size.z()))},
+          {},
+          ""};
 }
 
 }  // namespace
@@ -217,6 +231,59 @@ LoaderDataset movingLidar() {
                              {"columns", 200},
                              {"mounted_on", "carrier"},
                              {"pose", Value::List{0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0}}}}});
+  return dataset;
+}
+
+LoaderDataset streets() {
+  constexpr int kRows = 3;
+  constexpr int kTimes = 120;
+  constexpr double kBetweenRows = 4.5;
+  const std::string car = "vehicle.car";
+  const std::string pedestrian = "human.pedestrian.adult";
+  const std::string cone = "movable_object.trafficcone";
+  std::vector<LoaderObject> objects;
+  for (int i = 0; i < kRows; ++i) {
+    const std::string number = std::to_string(i);
+    objects.push_back(standing("car" + number, car, "0.8 0.2 0.2", {4.0, 1.7, 1.5}));
+    objects.push_back(standing("person" + number, pedestrian, "0.2 0.3 0.8", {0.5, 0.6, 1.75}));
+    objects.push_back(standing("cone" + number, cone, "0.9 0.5 0.1", {0.4, 0.4, 0.7}));
+  }
+  LoaderDataset dataset(objects);
+  dataset.addToWorld(staticBox("road", "20 0 -0.05 0 0 0", "60 80 0.1"));
+  dataset.addToWorld(staticBox("wall", "30 0 3 0 0 0", "0.2 80 6"));
+  dataset.addToWorld(
+      "<light name='noon' type='directional'><direction>0.3 0.4 -0.8</direction></light>");
+  dataset.addCamera("front", makePose({0, 0, 1.6}, Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5)));
+  base::RandomSource random(1);
+  for (int i = 0; i < kTimes; ++i) {
+    std::map<std::string, Pose> places;
+    for (int row = 0; row < kRows; ++row) {
+      const std::string number = std::to_string(row);
+      const double x = 7.0 + kBetweenRows * row;
+      const double y = random.uniform(-0.3, 0.3) * x;
+      const double side = random.index(2) == 0 ? 1.0 : -1.0;
+      const auto beside = [&](double direction) {  // Statements, for the order of the numbers.
+        const double aside = direction * random.uniform(2.6, 3.2);
+        const double ahead = random.uniform(-1, 1);
+        return poseAt(x + ahead, y + aside, 0, random.angle());
+      };
+      places["car" + number] = poseAt(x, y, 0, random.angle());
+      places["person" + number] = beside(side);
+      places["cone" + number] = beside(-side);
+    }
+    dataset.addTime(places);
+  }
+  const Value::Map beams{{"count", 32}, {"first", -0.3}, {"last", 0.1}};
+  // From time to time objects leap, so that a sweep has to be short: they move 2 cm in its half.
+  dataset.set("lidars",
+              Value::Map{{"top", Value::Map{{"beams", beams},
+                                            {"columns", 300},
+                                            {"azimuth", Value::List{0.8, -0.8}},
+                                            {"rate", 1000.0},
+                                            {"pose", Value::List{0, 0, 1.8, 0, 0, 0, 1}}}}});
+  dataset.set("split", Value::Map{{"train", 0.84}, {"val", 0.08}, {"test", 0.08}});
+  const Value::Map types{{car, "Car"}, {pedestrian, "Pedestrian"}, {cone, "Misc"}};
+  dataset.set("kitti_lidar", Value::Map{{"class_names", types}});
   return dataset;
 }
 

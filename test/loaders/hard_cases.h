@@ -27,4 +27,8 @@ namespace synthetic_dataset::test {
 /// A lidar that rides on an object through a tunnel, and turns.
 [[nodiscard]] LoaderDataset movingLidar();
 
+/// Cars, pedestrians and cones before a lidar, elsewhere each time, with the names by which
+/// nuScenes and KITTI evaluate them: enough to train on, and to count recall in.
+[[nodiscard]] LoaderDataset streets();
+
 }  // namespace synthetic_dataset::test

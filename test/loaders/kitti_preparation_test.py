@@ -1,12 +1,10 @@
 """KITTI as MMDetection3D and OpenPCDet prepare it before training.
 
-MMDetection3D's preparation (tools/dataset_converters/kitti_data_utils.py) is in its wheel; scikit-image, by which it
-reads the pictures' sizes, is stood in for. OpenPCDet is not on PyPI: what it opens is listed here
-(pcdet/datasets/kitti/kitti_dataset.py), and how it counts the points in a box (pcdet/utils/box_utils.py, in_hull). Its
-own preparation runs where OPENPCDET names a clone of it.
+MMDetection3D's preparation (tools/dataset_converters/kitti_data_utils.py) is in its wheel. OpenPCDet is not on PyPI: what
+it opens is listed here (pcdet/datasets/kitti/kitti_dataset.py), and how it counts the points in a box
+(pcdet/utils/box_utils.py, in_hull). Its own preparation runs where OPENPCDET names a clone of it.
 """
-import importlib.metadata
-import importlib.util
+import importlib
 import os
 import pathlib
 import sys
@@ -17,22 +15,11 @@ import cv2
 import numpy as np
 from scipy.spatial import Delaunay
 
+import open_mmlab
 from kitti_test import corners_of, folder_of
 from loader_case import LoaderCase
 
 OPENPCDET = os.environ.get('OPENPCDET')
-PATH = 'mmdet3d/.mim/tools/dataset_converters/kitti_data_utils.py'
-
-
-def preparation():
-    """MMDetection3D's module, without the rest of the package, which needs compiled operators."""
-    sys.modules.setdefault('skimage', types.ModuleType('skimage'))
-    sys.modules['skimage'].io = types.SimpleNamespace(imread=cv2.imread)
-    file = importlib.metadata.distribution('mmdet3d').locate_file(PATH)
-    spec = importlib.util.spec_from_file_location('kitti_data_utils', file)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def openpcdet(clone):
@@ -69,7 +56,7 @@ class KittiPreparationTest(LoaderCase):
                 yield truth, folder_of(truth, folder, camera), camera.camera_name
 
     def test_mmdetection3d_finds_all_files_of_all_lists(self):
-        utils = preparation()
+        utils = open_mmlab.preparation('kitti_data_utils')
         tested = 0
         for truth, folder, camera in self.folders():
             for name in ('train', 'val', 'test'):
@@ -114,8 +101,25 @@ class KittiPreparationTest(LoaderCase):
                     points += sum(info['annos']['num_points_in_gt'])
         self.assertGreater(points, 10000)
 
+    @unittest.skipUnless(OPENPCDET, 'OPENPCDET names no clone')
+    def test_openpcdet_prepares_a_lidars_clouds(self):
+        """It counts an object's points in the box as it is: some of those on a face are outside by rounding."""
+        module = openpcdet(pathlib.Path(OPENPCDET))
+        settings = types.SimpleNamespace(DATA_SPLIT={'test': 'val'}, INFO_PATH={'test': []})
+        for truth, folder in self.datasets('kitti_lidar', ['lidar']):
+            reader = module.KittiDataset(settings, None, training=False, root_path=folder)
+            for split in ('train', 'val'):
+                reader.set_split(split)
+                infos = reader.get_infos(num_workers=1)
+                self.assertEqual([int(each['image']['image_idx']) for each in infos], listed(folder, split))
+                for info, scene in zip(infos, truth.of_split(split)):
+                    self.assertEqual(len(info['annos']['name']), len(scene.labelled))
+                    for count, each in zip(info['annos']['num_points_in_gt'], scene.labelled):
+                        own = np.count_nonzero(scene.cloud.instances == each.instance)
+                        self.assertTrue(0.8 * own <= count <= own, f'{count} of {own}')
+
     def test_mmdetection3d_finds_a_lidars_points_in_their_boxes(self):
-        utils = preparation()
+        utils = open_mmlab.preparation('kitti_data_utils')
         for truth, folder in self.datasets('kitti_lidar', ['lidar']):
             for split in ('train', 'val'):
                 infos = utils.get_kitti_image_info(str(folder), training=True, velodyne=True, calib=True,
@@ -137,7 +141,7 @@ class KittiPreparationTest(LoaderCase):
     def test_points_of_an_object_are_in_its_box(self):
         """As OpenPCDet counts them, of objects that stand upright; but for single ones of faces that are seen along
         themselves, where a millimetre farther away is not a millimetre farther in."""
-        utils = preparation()
+        utils = open_mmlab.preparation('kitti_data_utils')
         count = 0
         for truth, folder in self.datasets('kitti_scan'):
             for scene in truth.scenes:

@@ -84,7 +84,12 @@ void addWriters(Value::Map& parameters) {
     if (!is_truth && has_lidars != (entry.erase("lidar") != 0)) continue;
     const auto settings = entry.find("settings");
     if (settings != entry.end()) {
-      parameters[*entry.at("name").as<std::string>()] = settings->second;
+      Value& group = parameters[*entry.at("name").as<std::string>()];
+      // What the dataset itself sets counts before what the file has.
+      Value::Map merged = group.as<Value::Map>() ? *group.as<Value::Map>() : Value::Map{};
+      merged.insert(settings->second.as<Value::Map>()->begin(),
+                    settings->second.as<Value::Map>()->end());
+      group = merged;
       entry.erase(settings);
     }
     writers.emplace_back(entry);

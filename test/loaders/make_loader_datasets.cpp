@@ -25,6 +25,7 @@ void makeAll(const fs::path& folder) {
   if (!lidar::canCastRays()) return;
   test::lidarScenes().generate(folder / "lidar");
   test::movingLidar().generate(folder / "moving_lidar");
+  test::streets().generate(folder / "streets");
 }
 
 }  // namespace

@@ -2,31 +2,14 @@
 import contextlib
 import io
 import pathlib
-import sys
-import types
 import unittest
 
-import numpy as np
-from pycocotools import mask as masks
-
+import open_mmlab  # noqa: F401  before mmdet
 from loader_case import LoaderCase
 
-
-class CompiledOperators(types.ModuleType):
-    """In the place of mmcv's compiled part, which no package index has for every Python: mmdet imports
-    its names, and reading datasets calls none of them."""
-
-    def __getattr__(self, name):
-        if name.startswith('__'):
-            raise AttributeError(name)
-
-        def missing(*_arguments, **_named):
-            raise NotImplementedError(name)
-        return missing
-
-
-sys.modules['mmcv._ext'] = CompiledOperators('mmcv._ext')
-from mmdet.datasets import CocoDataset, CocoPanopticDataset, XMLDataset  # noqa: E402
+import numpy as np
+from mmdet.datasets import CocoDataset, CocoPanopticDataset, XMLDataset
+from pycocotools import mask as masks
 
 
 class MmdetTest(LoaderCase):
