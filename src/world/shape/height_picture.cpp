@@ -12,7 +12,7 @@
 
 namespace synthetic_dataset::world {
 
-cv::Mat readNumbers(const std::filesystem::path& file) {
+NumberPicture readNumbers(const std::filesystem::path& file) {
   const std::string name = "picture '" + file.string() + "': ";
   const std::vector<std::uint8_t> bytes = base::readInputBytes(file);
   if (bytes.empty()) throw Error(name + "is empty");
@@ -28,8 +28,9 @@ cv::Mat readNumbers(const std::filesystem::path& file) {
   } else {
     cv::cvtColor(picture, rgb, picture.channels() == 4 ? cv::COLOR_BGRA2RGB : cv::COLOR_BGR2RGB);
   }
-  rgb.convertTo(rgb, CV_32F, 1.0 / (picture.depth() == CV_8U ? 255.0 : 65535.0));
-  return rgb;
+  const bool has_eight_bits = picture.depth() == CV_8U;
+  rgb.convertTo(rgb, CV_32F, 1.0 / (has_eight_bits ? 255.0 : 65535.0));
+  return {rgb, has_eight_bits};
 }
 
 }  // namespace synthetic_dataset::world

@@ -6,9 +6,13 @@
 
 namespace synthetic_dataset::world {
 
-/// The picture of a heightmap or a map of walls as numbers: CV_32FC3, red, green and blue from 0 to
-/// 1, of 8 or 16 bits.
+/// The picture of a heightmap or a map of walls.
+struct NumberPicture {
+  cv::Mat numbers;             ///< CV_32FC3: red, green and blue from 0 to 1
+  bool has_eight_bits = true;  ///< else 16
+};
+
 /// @throws Error "picture 'x.png': <why not>"
-[[nodiscard]] cv::Mat readNumbers(const std::filesystem::path& file);
+[[nodiscard]] NumberPicture readNumbers(const std::filesystem::path& file);
 
 }  // namespace synthetic_dataset::world

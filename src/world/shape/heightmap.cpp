@@ -37,6 +37,25 @@ double interpolated(const cv::Mat& picture, double x, double y) {
   return (1.0 - dy) * upper + dy * lower;
 }
 
+float brightnessOf(const cv::Vec3f& pixel) { return pixel[0] + pixel[1] + pixel[2]; }
+
+/// The red of the brightest pixel, which has the height of the heightmap's size. In pictures of 8
+/// bits Gazebo 11 takes a value of 1 for the brightest of all: it divides by 255 only what is above
+/// 1 (common::Image::MaxColor, ignition::math::Color::Clamp).
+double brightestOf(const NumberPicture& picture) {
+  cv::Vec3f brightest(0.0F, 0.0F, 0.0F);
+  for (int row = 0; row < picture.numbers.rows; ++row) {
+    for (int column = 0; column < picture.numbers.cols; ++column) {
+      cv::Vec3f pixel = picture.numbers.at<cv::Vec3f>(row, column);
+      for (int i = 0; picture.has_eight_bits && i < 3; ++i) {
+        if (std::lround(255.0F * pixel[i]) == 1) pixel[i] = 1.0F;
+      }
+      if (brightnessOf(pixel) > brightnessOf(brightest)) brightest = pixel;
+    }
+  }
+  return brightest[0];
+}
+
 /// The size along x and y of the quadrangle between four points.
 Eigen::Vector2d stepOf(const Heightmap& heightmap, const HeightGrid& grid) {
   return {heightmap.size.x() / (grid.columns - 1), heightmap.size.y() / (grid.rows - 1)};
@@ -135,17 +154,13 @@ bool allAre(const std::vector<float>& weights, float value) {
 }  // namespace
 
 HeightGrid readHeights(const Heightmap& heightmap) {
-  const cv::Mat picture = readNumbers(heightmap.file);
+  const NumberPicture read = readNumbers(heightmap.file);
+  const cv::Mat& picture = read.numbers;
   if (picture.cols < 2 || picture.rows < 2) {
     throw Error("heightmap '" + heightmap.file.string() + "': has " + std::to_string(picture.cols) +
                 " x " + std::to_string(picture.rows) + " pixels; at least 2 x 2 are needed");
   }
-  double brightest = 0.0;
-  for (int row = 0; row < picture.rows; ++row) {
-    for (int column = 0; column < picture.cols; ++column) {
-      brightest = std::max<double>(brightest, picture.at<cv::Vec3f>(row, column)[0]);
-    }
-  }
+  const double brightest = brightestOf(read);
   const double scale = brightest > 0.0 ? heightmap.size.z() / brightest : 0.0;
   HeightGrid grid;
   grid.columns = pointsOf(picture.cols, heightmap.sampling);

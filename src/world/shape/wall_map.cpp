@@ -90,7 +90,7 @@ void append(const Mesh& box, const Eigen::Vector3d& centre, Mesh& mesh) {
 }  // namespace
 
 std::shared_ptr<const Mesh> wallMesh(const WallMap& map) {
-  const std::vector<Block> walls = wallsOf(readNumbers(map.file), map);
+  const std::vector<Block> walls = wallsOf(readNumbers(map.file).numbers, map);
   if (walls.empty() || walls.size() > kMostBoxes) {
     throw Error("picture '" + map.file.string() + "': makes " + std::to_string(walls.size()) +
                 " walls; 1 to " + std::to_string(kMostBoxes) +

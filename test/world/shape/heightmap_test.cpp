@@ -44,6 +44,14 @@ TEST(Heightmap, IsAsHighAsItsSizeAtTheBrightestPixel) {
   EXPECT_THAT(readHeights(heightmapOf(file)).heights, ElementsAre(0.0F, 2.5F, 5.0F, 10.0F));
 }
 
+TEST(Heightmap, TakesTheValue1ForWhiteAsGazeboDoes) {
+  const TemporaryFolder folder;
+  const auto file = writePicture(folder, cv::Mat_<uchar>({2, 2}, {0, 1, 102, 204}));
+  EXPECT_THAT(readHeights(heightmapOf(file)).heights,
+              ElementsAre(0.0F, FloatNear(10.0F / 255.0F, 1e-6F), FloatNear(4.0F, 1e-6F),
+                          FloatNear(8.0F, 1e-6F)));
+}
+
 TEST(Heightmap, KeepsThePrecisionOf16Bits) {
   const TemporaryFolder folder;
   const auto file = writePicture(folder, cv::Mat_<ushort>({2, 2}, {0, 1, 2, 50000}));
