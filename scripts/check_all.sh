@@ -22,6 +22,7 @@ stages=(
   'tidy       | .  | tidy_changed.sh $base $tidy_seconds'
   'reference  | .  | test_reference_data.sh $reference'
   'gazebo     | .  | compare_with_gazebo.sh $reference'
+  'scans      | ^src/(lidar|world|config|run)/|^plugins/ros_bag/|^scripts/gazebo_scans/ | compare_scans_with_gazebo.sh $reference'
   'report     | ^scripts/report|^python/|^test/browser/ | test_report.sh'
   'preview    | ^src/programs/preview/|^launch/|^test/preview/ | test_preview.sh'
   'loaders    | ^plugins/|^include/|^src/api/|^python/|^test/loaders/ | test_loaders.sh'
