@@ -12,6 +12,7 @@
 #include "config/object_count.h"
 #include "lidar/ray_bodies.h"
 #include "run/check/motion_checks.h"
+#include "run/setup/alike_motions.h"
 #include "run/setup/balanced_blocks.h"
 #include "run/setup/dataset_description.h"
 #include "run/setup/input_cache.h"
@@ -44,10 +45,7 @@ class Builder {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
     setup_.config = setup_.motions.front().config;
     diagnostics().add(base::Severity::kError, list_.errors);
-    checkSameCameras();
-    checkSameLidars();
-    checkSameDistractors();
-    checkSameWorldClasses();
+    checkAlike(setup_.motions, diagnostics());
     const std::int64_t told_count = countInstants();
     planSplits();
     const std::size_t errors_before = roots_.front().errors().size();
@@ -103,71 +101,6 @@ class Builder {
       count += motion.instantCount();
     }
     return count;
-  }
-
-  /// Scenes are numbered through all cameras.
-  void checkSameCameras() {
-    const auto namesOf = [](const MotionSetup& motion) {
-      std::string names;
-      for (const scene::CameraOptions& camera : motion.config.cameras) {
-        names += (names.empty() ? "'" : ", '") + camera.name + "'";
-      }
-      return names;
-    };
-    const MotionSetup& first = setup_.motions.front();
-    for (const MotionSetup& motion : setup_.motions) {
-      if (namesOf(motion) == namesOf(first)) continue;
-      diagnostics().error(motion.entry.group + "/cameras",
-                          "found " + namesOf(motion) + "; " + first.entry.group + " has " +
-                              namesOf(first) +
-                              ", and all motions should have cameras of the same names");
-    }
-  }
-
-  /// All scenes of a dataset have the same clouds.
-  void checkSameLidars() {
-    const auto namesOf = [](const MotionSetup& motion) {
-      std::set<std::string> names;
-      for (const lidar::LidarOptions& each : motion.config.lidars) {
-        names.insert(each.name + " (" + each.frame + ")");
-      }
-      return names;
-    };
-    for (const MotionSetup& motion : setup_.motions) {
-      if (namesOf(motion) == namesOf(setup_.motions.front())) continue;
-      diagnostics().error(motion.entry.group + "/lidars",
-                          "found other lidars or frames than the first motion has; all motions "
-                          "should have lidars of the same names and frames");
-    }
-  }
-
-  /// Labelled distractors are objects of the dataset, which all motions share.
-  void checkSameDistractors() {
-    const auto hasSome = [](const MotionSetup& motion) {
-      return motion.config.robotCount() < motion.config.objects.size();
-    };
-    if (std::none_of(setup_.motions.begin(), setup_.motions.end(), hasSome)) return;
-    for (const MotionSetup& motion : setup_.motions) {
-      if (!motion.entry.says("randomize/distractors")) continue;
-      diagnostics().error(motion.entry.group + "/randomize/distractors",
-                          "distractors with a class are objects of the whole "
-                          "dataset; their settings should stand beside motions");
-    }
-  }
-
-  /// Their names are the dataset's; what they mean is each world's own.
-  void checkSameWorldClasses() {
-    const auto namesOf = [](const MotionSetup& motion) {
-      std::set<std::string> names;
-      for (const auto& [name, patterns] : motion.config.world_classes) names.insert(name);
-      return names;
-    };
-    for (const MotionSetup& motion : setup_.motions) {
-      if (namesOf(motion) == namesOf(setup_.motions.front())) continue;
-      diagnostics().error(
-          motion.entry.group + "/world_classes",
-          "found other classes than the first motion has; all should have the same names");
-    }
   }
 
   void checkOnlyScenes() {

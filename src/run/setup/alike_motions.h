@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "run/setup/motion_setup.h"
+
+namespace synthetic_dataset::run {
+
+/// Adds an error for each motion that differs from the first one in what a dataset has once: its
+/// cameras and lidars, labelled distractors, the names of its world classes.
+/// @param motions  at least one
+void checkAlike(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics);
+
+}  // namespace synthetic_dataset::run
