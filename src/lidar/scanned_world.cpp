@@ -1,6 +1,7 @@
 #include "lidar/scanned_world.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "lidar/surface_look.h"
@@ -39,6 +40,21 @@ Eigen::AlignedBox3d boundsOf(const std::vector<RaySurface>& surfaces) {
   return bounds;
 }
 
+/// Where most surfaces are: one that stands far from all others does not move it.
+Eigen::Vector3d middleOf(const std::vector<RaySurface>& surfaces) {
+  Eigen::Vector3d middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> centres;
+    for (const RaySurface& surface : surfaces) {
+      centres.push_back(boundsOf({surface}).center()[axis]);
+    }
+    const auto half = centres.begin() + static_cast<std::ptrdiff_t>(centres.size() / 2);
+    std::nth_element(centres.begin(), half, centres.end());
+    middle[axis] = *half;
+  }
+  return middle;
+}
+
 }  // namespace
 
 ScannedWorld::ScannedWorld(const world::World& world, GlassInLabels glass)
@@ -60,7 +76,7 @@ ScannedWorld::ScannedWorld(const world::World& world, GlassInLabels glass)
   }
   if (standing.empty()) return;
   // Single precision is fine near the origin: worlds may lie far away from theirs.
-  origin_W_ = boundsOf(standing).center().array().round();
+  origin_W_ = middleOf(standing).array().round();
   Pose X_BW = Pose::Identity();
   X_BW.translation() = -origin_W_;
   for (RaySurface& surface : standing) surface.X_BV = X_BW * surface.X_BV;

@@ -40,7 +40,9 @@ inline world::Model modelOf(const std::string& name, std::shared_ptr<const world
 /// all the time, each in its own way.
 class ScannedHall {
  public:
-  explicit ScannedHall(int boxes, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero())
+  /// @param stray  how far above it something else stands [m]; 0: nothing
+  explicit ScannedHall(int boxes, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
+                       double stray = 0.0)
       : origin_(origin) {
     world::Description description;
     const auto add = [&](const std::string& name, const Eigen::Vector3d& size, double x, double y,
@@ -52,6 +54,7 @@ class ScannedHall {
     add("west", {0.2, 12, 4}, -8, 0, 1);
     add("north", {16, 0.2, 4}, 0, 6, 1);
     add("south", {16, 0.2, 4}, 0, -6, 1);
+    if (stray > 0.0) add("stray", {1, 1, 1}, 0, 0, stray);
     std::vector<world::MovingObject> objects;
     for (int i = 0; i < boxes; ++i) {
       world::Model model =

@@ -149,21 +149,31 @@ TEST(SweepTruth, HoldsWhereRingsFireOneAfterTheOther) {
   EXPECT_EQ(count.wrong, 0);
 }
 
-TEST(SweepTruth, HoldsFarFromTheOriginOfTheWorld) {
-  Count count;
-  ScannedHall hall(16, {450'000.0, 5'400'000.0, 300.0});
+/// Expects nearly all points where they are in the hall at the origin with nothing around it.
+void expectPointsAsAlone(ScannedHall& hall) {
   const LidarModel model = test::exactModel(8, 512);
   const auto frames = hall.frames();
-  const Cloud far = test::cloudIn(hall, model, frames);
-  ScannedHall near_hall(16);
-  const auto near_frames = near_hall.frames();
-  const Cloud near = test::cloudIn(near_hall, model, near_frames);
+  const Cloud cloud = test::cloudIn(hall, model, frames);
+  ScannedHall alone_hall(16);
+  const auto alone_frames = alone_hall.frames();
+  const Cloud alone = test::cloudIn(alone_hall, model, alone_frames);
   std::int64_t alike = 0;
-  ASSERT_NEAR(static_cast<double>(far.points.size()), static_cast<double>(near.points.size()), 4);
-  for (std::size_t i = 0; i < std::min(far.points.size(), near.points.size()); ++i) {
-    alike += (far.points[i].position_S - near.points[i].position_S).norm() < 0.001F ? 1 : 0;
+  ASSERT_NEAR(static_cast<double>(cloud.points.size()), static_cast<double>(alone.points.size()),
+              4);
+  for (std::size_t i = 0; i < std::min(cloud.points.size(), alone.points.size()); ++i) {
+    alike += (cloud.points[i].position_S - alone.points[i].position_S).norm() < 0.001F ? 1 : 0;
   }
-  EXPECT_GT(alike, static_cast<std::int64_t>(near.points.size()) * 99 / 100);
+  EXPECT_GT(alike, static_cast<std::int64_t>(alone.points.size()) * 99 / 100);
+}
+
+TEST(SweepTruth, HoldsFarFromTheOriginOfTheWorld) {
+  ScannedHall hall(16, {450'000.0, 5'400'000.0, 300.0});
+  expectPointsAsAlone(hall);
+}
+
+TEST(SweepTruth, HoldsBelowSomethingThatWentAstray) {
+  ScannedHall hall(16, Eigen::Vector3d::Zero(), 343'582.7);
+  expectPointsAsAlone(hall);
 }
 
 }  // namespace sweep_truth_test
