@@ -9,6 +9,7 @@
 
 #include "base/random/random_seed.h"
 #include "render/pixels/srgb.h"
+#include "render/sensor/white_balance.h"
 
 namespace synthetic_dataset::render {
 namespace {

@@ -2,9 +2,14 @@
 
 #include <limits>
 
-#include "render/sensor/white_balance.h"
-
 namespace synthetic_dataset::render {
+
+/// The light for which a camera shows the pictures' white as white [K]: that for which they are
+/// made.
+inline constexpr double kNeutralWhite = 6500.0;
+
+inline constexpr double kReddestLight = 2500.0;  ///< that a camera can be set for [K]
+inline constexpr double kBluestLight = 25000.0;  ///< likewise [K]
 
 /// What lens and sensor do to a picture; nothing by default.
 struct SensorEffects {

@@ -1,5 +1,7 @@
 #include "render/sensor/white_balance.h"
 
+#include "render/sensor/sensor_options.h"
+
 namespace synthetic_dataset::render {
 namespace {
 

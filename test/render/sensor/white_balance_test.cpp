@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/sensor/sensor_options.h"
+
 namespace synthetic_dataset::render {
 namespace white_balance_test {
 
