@@ -322,6 +322,10 @@ BagBuilder& BagBuilder::cloud(const std::string& topic, Stamp stamp,
       message.data.insert(message.data.end(), bytes, bytes + sizeof number);
     }
   }
+  return cloud(topic, message);
+}
+
+BagBuilder& BagBuilder::cloud(const std::string& topic, const sensor_msgs::PointCloud2& message) {
   impl_->bag.write(topic, message.header.stamp, message);
   return *this;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <sensor_msgs/PointCloud2.h>
 #include <opencv2/core/mat.hpp>
 
 #include "synthetic_dataset/pose.h"
@@ -95,6 +96,9 @@ class BagBuilder {
   /// A sensor_msgs/PointCloud2 of numbers of 32 bits, recorded at its stamp.
   BagBuilder& cloud(const std::string& topic, Stamp stamp,
                     const std::vector<Eigen::Vector3d>& points);
+
+  /// The same as it is, recorded at its stamp.
+  BagBuilder& cloud(const std::string& topic, const sensor_msgs::PointCloud2& message);
 
   /// A picture of one grey pixel with a stamp of its own.
   BagBuilder& pictureAt(const std::string& topic, Stamp recorded, Stamp stamp);
