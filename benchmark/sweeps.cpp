@@ -135,11 +135,12 @@ void run(double seconds) {
   std::size_t points = 0;
   for (; passed < seconds; ++sweeps) {
     const Stamp stamp = kStart + sweeps * std::chrono::milliseconds(100);
-    for (const Duration offset : taker.offsets()) {
+    taker.begin(stamp);
+    for (const Duration offset : taker.offsets(stamp)) {
       world.advanceTo(stamp + offset, ballPose);
       taker.look(offset);
     }
-    points += taker.take(sweeps, stamp, {})().front()->points.size();
+    points += taker.take(sweeps, {})().clouds.front()->points.size();
     passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
   const double processor =

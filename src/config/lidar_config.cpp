@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/name_list.h"
+#include "base/seconds.h"
 #include "config/checked_values.h"
 #include "config/distribution_config.h"
 #include "config/pose_config.h"
@@ -190,15 +191,74 @@ std::optional<Pose> readLidarPose(Parameters& group) {
                                      Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX())));
 }
 
+/// `cloud_topic`, and what belongs to it.
+std::optional<lidar::RecordedSweepOptions> readRecorded(Parameters& group) {
+  if (!group.has("cloud_topic")) {
+    refuseWithout(group,
+                  {"cloud_time", "every", "full_intensity", "label_tolerance", "time_offset"},
+                  "cloud_topic");
+    return std::nullopt;
+  }
+  for (const char* const name :
+       {"azimuth", "beams", "columns", "dropout", "max_range", "min_range", "model", "noise",
+        "rate", "reach_at_tenth", "resolution", "sensor"}) {
+    if (!group.has(name)) continue;
+    group.ignore(name);
+    group.addError(name,
+                   "found together with cloud_topic; recorded points are as they were measured");
+  }
+  constexpr std::int64_t kMost = 1000000;
+  constexpr double kLongestOffset = 10.0;    // [s]
+  constexpr double kLongestDistance = 1.0;   // [s]
+  constexpr double kLeastTolerance = 1e-3;   // [m]
+  constexpr double kWidestTolerance = 10.0;  // [m]
+  lidar::RecordedSweepOptions recorded;
+  recorded.topic = group.required<std::string>("cloud_topic");
+  if (group.has("every")) {
+    recorded.every = group.optionalBetween<std::int64_t>("every", 1, 1, kMost);
+  }
+  if (const auto offset = group.maybeBetween("time_offset", -kLongestOffset, kLongestOffset)) {
+    recorded.time_offset = base::fromSeconds(*offset);
+  }
+  recorded.tolerance = group.optionalBetween("label_tolerance", recorded.tolerance, kLeastTolerance,
+                                             kWidestTolerance);
+  recorded.full_intensity = numberAbove(group, "full_intensity", recorded.full_intensity, 0.0);
+  recorded.longest_distance = base::fromSeconds(group.optionalBetween(
+      "cloud_time", toSeconds(recorded.longest_distance), 0.0, kLongestDistance));
+  return recorded;
+}
+
 LidarOptions readLidar(Parameters group, const std::string& name) {
   LidarOptions options;
   options.name = name;
   options.group = group.fullName("");
-  options.frame = group.optional<std::string>("frame_id", name + "/lidar_link");
   options.on = group.maybe<std::string>("mounted_on");
   options.X_GS = readLidarPose(group);
+  options.recorded = readRecorded(group);
+  if (options.recorded) {
+    options.frame = group.maybe<std::string>("frame_id").value_or("");
+    return options;
+  }
+  options.frame = group.optional<std::string>("frame_id", name + lidar::kOwnFrame);
   readScanner(group, options);
   return options;
+}
+
+/// Only one lidar's clouds say when scenes are, and none where pictures do.
+void checkEvery(Parameters& all, const std::vector<LidarOptions>& lidars, bool has_pictures) {
+  bool is_said = has_pictures;
+  for (const LidarOptions& lidar : lidars) {
+    if (!lidar.recorded) continue;
+    Parameters group = all.group(lidar.name);
+    if (is_said && group.has("every")) {
+      group.addError(
+          "every", has_pictures ? "found beside a camera's image_topic, whose pictures say when "
+                                  "scenes are; twin/every leaves some out"
+                                : "found for a second lidar with a cloud_topic; the clouds of the "
+                                  "first say when scenes are");
+    }
+    is_said = true;
+  }
 }
 
 }  // namespace
@@ -219,12 +279,16 @@ std::vector<LidarOptions> readLidars(Parameters root,
   }
   for (const std::string& name : folderNames(all)) {
     lidars.push_back(readLidar(all.group(name), name));
+    if (lidars.back().frame.empty()) continue;  // its clouds say it
     if (!frames.insert(lidars.back().frame).second) {
       all.group(name).addError("frame_id", "found '" + lidars.back().frame +
                                                "', which is also the frame of a camera or another "
                                                "lidar; each should have its own");
     }
   }
+  checkEvery(all, lidars, std::any_of(cameras.begin(), cameras.end(), [](const auto& camera) {
+               return camera.image_topic.has_value();
+             }));
   if (all.names().empty()) {
     root.addError("lidars", "found no lidar; it should be a group with a group for each lidar");
   }

@@ -31,16 +31,32 @@ void checkCameras(Parameters& root, const scene::SceneOptions& scenes,
   }
 }
 
-/// What is in the picture is what was there.
-void checkRandomization(Parameters& root, const randomize::Randomization& randomization) {
+/// What is in the picture, or the cloud, is what was there.
+void checkRandomization(Parameters& root, const scene::SceneOptions& scenes) {
+  const randomize::Randomization& randomization = scenes.randomization;
   const std::string reason =
-      "found together with image_topic; recorded pictures show what was there. In a list of "
-      "motions, give it to the others alone";
+      std::string("found together with ") +
+      (scenes.isTwin() ? "image_topic; recorded pictures" : "cloud_topic; recorded clouds") +
+      " show what was there. In a list of motions, give it to the others alone";
   Parameters group = root.group("randomize");
   if (!randomization.objects.empty()) group.addError("objects", reason);
   if (randomization.distractors) group.addError("distractors", reason);
   if (randomization.time_jitter) group.addError("time", reason);
-  if (randomization.sensor.field_of_view) group.group("sensor").addError("field_of_view", reason);
+  if (scenes.isTwin() && randomization.sensor.field_of_view) {
+    group.group("sensor").addError("field_of_view", reason);
+  }
+}
+
+/// Of runs whose clouds alone are recorded.
+void checkTimingLidar(Parameters& root, const scene::SceneOptions& scenes) {
+  if (scenes.timingLidar() == nullptr) return;
+  if (scenes.isPlaced()) {
+    root.addError(
+        "motion",
+        "found placement, and a lidar with a cloud_topic; recorded clouds are labelled by "
+        "the recording's TF (motion: bag)");
+  }
+  checkRandomization(root, scenes);
 }
 
 /// `both` is two runs, of which each has one of the others.
@@ -111,6 +127,7 @@ scene::RecordedImageOptions readTwinOptions(Parameters root, const scene::SceneO
     if (root.has("twin")) {
       root.addError("twin", "found without a camera's image_topic, of whose pictures it speaks");
     }
+    checkTimingLidar(root, scenes);
     return twin;
   }
   if (scenes.isPlaced()) {
@@ -119,7 +136,7 @@ scene::RecordedImageOptions readTwinOptions(Parameters root, const scene::SceneO
                   "labelled by the recording's TF (motion: bag)");
   }
   checkCameras(root, scenes, twin.output);
-  checkRandomization(root, scenes.randomization);
+  checkRandomization(root, scenes);
   return twin;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,7 +52,7 @@ struct LidarChanges {
   void apply(LidarModel& model) const;
 };
 
-/// The most rays of a column, and the most columns: a point's column has 16 bits.
+/// The most rays of a column, and the most columns.
 constexpr int kMostRings = 512;
 constexpr int kMostColumns = 65535;
 constexpr double kFarthestSeen = 1e5;  ///< [m]
@@ -74,16 +75,32 @@ constexpr double kFarthestSeen = 1e5;  ///< [m]
 /// What to do where it has not, for messages.
 [[nodiscard]] std::string howToCastRays();
 
+/// Which clouds a lidar has that were recorded, and how their points are labelled.
+struct RecordedSweepOptions {
+  std::string topic;              ///< of the bag
+  std::int64_t every = 1;         ///< every n-th cloud is a scene, where no picture says when it is
+  Duration time_offset{0};        ///< added to the stamps of the scanner's clock for those of TF
+  double tolerance = 0.1;         ///< how far from a surface its points may be measured [m]
+  double full_intensity = 255.0;  ///< the recorded number that is an intensity of 1
+
+  /// Largest difference between a scene's stamp and the middle of its cloud's times.
+  Duration longest_distance = std::chrono::milliseconds(60);
+};
+
+/// The end of the name of a lidar's frame where nothing else says it; the lidar's name is before.
+constexpr const char* kOwnFrame = "/lidar_link";
+
 /// A scanner of the run.
 struct LidarOptions {
   std::string name;
   std::string group;                  ///< its parameters' full name, for messages
-  std::string frame;                  ///< its own
+  std::string frame;                  ///< its own; empty: that of its recorded clouds
   std::optional<Pose> X_GS;           ///< where it stands; with `on`, in that object's frame
   std::optional<std::string> on;      ///< the object that it is mounted on
   std::optional<std::string> sensor;  ///< of the world, "model::link::sensor", that it is
   LidarModel model;                   ///< of no sensor; with all changes
   LidarChanges changes;
+  std::optional<RecordedSweepOptions> recorded;  ///< it sends no rays of its own then
 };
 
 }  // namespace synthetic_dataset::lidar

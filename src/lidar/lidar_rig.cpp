@@ -1,6 +1,7 @@
 #include "lidar/lidar_rig.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/name_list.h"
 #include "synthetic_dataset/errors.h"
@@ -68,9 +69,20 @@ void mountAsInWorld(const LidarOptions& config, const world::LidarSensor& sensor
 
 }  // namespace
 
+motion::TimeRange LidarRig::sweepAt(Stamp scene) const {
+  if (recorded) return recorded->timesAround(scene);
+  const Duration half = sweepTime(model) / 2;
+  return {-half, half};
+}
+
 LidarRig makeLidarRig(const LidarOptions& config, const LidarSurroundings& there,
-                      const motion::FrameSource& frames, base::Diagnostics& diagnostics) {
+                      const motion::FrameSource& frames, base::Diagnostics& diagnostics,
+                      std::shared_ptr<const RecordedSweeps> recorded) {
   LidarRig rig{config.name, config.group, config.frame, config.model};
+  if (recorded && rig.frame.empty()) {
+    rig.frame = recorded->frame().empty() ? config.name + kOwnFrame : recorded->frame();
+  }
+  rig.recorded = std::move(recorded);
   const world::LidarSensor* sensor = nullptr;
   if (config.sensor) {
     sensor = &world::findSensor(*config.sensor, there.sensors, config.group + "/sensor", "lidar",
@@ -90,6 +102,12 @@ LidarRig makeLidarRig(const LidarOptions& config, const LidarSurroundings& there
   if (sensor != nullptr) {
     mountAsInWorld(config, *sensor, there.links, rig);
     return rig;
+  }
+  if (rig.recorded) {
+    throw Error(config.group + "/cloud_topic: found clouds of the frame '" + rig.frame +
+                "', of which nothing says where it is; " + config.group +
+                "/pose should, or mounted_on, or " + config.group +
+                "/frame_id should name a frame: " + frames.lacks(rig.frame));
   }
   throw Error(config.group + ": nothing says where it is; " + config.group +
               "/pose should, or mounted_on or sensor, or " + config.group +

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
 #include "lidar/lidar_options.h"
+#include "lidar/recorded_sweeps.h"
 #include "motion/frame_source.h"
 #include "synthetic_dataset/pose.h"
 #include "world/world.h"
@@ -27,6 +29,11 @@ struct LidarRig {
   /// Whether its pose is that of its own frame, which the source of motion has.
   [[nodiscard]] bool followsFrame() const { return !X_GS && !link && !is_carried; }
   bool is_carried = false;  ///< it rides on an object
+
+  std::shared_ptr<const RecordedSweeps> recorded = nullptr;  ///< its clouds; none: rays are cast
+
+  /// When its points are measured around a scene's stamp.
+  [[nodiscard]] motion::TimeRange sweepAt(Stamp scene) const;
 };
 
 /// What a scanner may be, or be mounted on.
@@ -36,11 +43,13 @@ struct LidarSurroundings {
   std::vector<world::LinkInstance> links;            ///< of the world
 };
 
+/// @param recorded  its clouds, where it has them
 /// @param diagnostics  what the user should know of its sensor
 /// @throws Error naming the parameters that would mend it
 [[nodiscard]] LidarRig makeLidarRig(const LidarOptions& config, const LidarSurroundings& there,
                                     const motion::FrameSource& frames,
-                                    base::Diagnostics& diagnostics);
+                                    base::Diagnostics& diagnostics,
+                                    std::shared_ptr<const RecordedSweeps> recorded = nullptr);
 
 /// Where one is that rides on no link, at a time around `instant`. A frame whose pose is not known
 /// then has that of the instant.

@@ -61,12 +61,6 @@ struct Ray {
   Eigen::Vector3d direction_W;
 };
 
-/// What it has met.
-struct Met {
-  RayHit hit;
-  Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< of the body
-};
-
 class Sweeper {
  public:
   Sweeper(const ScannedWorld& world, const LidarModel& model, const FiringPlan& plan,
@@ -159,14 +153,14 @@ class Sweeper {
     return near;
   }
 
-  [[nodiscard]] std::optional<Met> meet(const Ray& ray, const Instant& instant) const {
-    std::optional<Met> met;
+  [[nodiscard]] std::optional<MetSurface> meet(const Ray& ray, const Instant& instant) const {
+    std::optional<MetSurface> met;
     double far = model_.max_range;
     if (world_.standing()) {
       const auto hit =
           world_.bodies().meet(*world_.standing(), ray.origin_W - world_.standingOrigin(),
                                ray.direction_W, model_.min_range, far, paint_);
-      if (hit) met = Met{*hit};
+      if (hit) met = MetSurface{*hit};
       if (hit) far = hit->distance;
     }
     for (const auto& [body, R_LW, p_LS, to_centre_W] : instant.near) {
@@ -176,7 +170,7 @@ class Sweeper {
       const auto hit = world_.bodies().meet(body->body, p_LS, R_LW * ray.direction_W,
                                             model_.min_range, far, paint_);
       if (!hit || hit->distance >= far) continue;
-      met = Met{*hit, R_LW.conjugate().toRotationMatrix()};
+      met = MetSurface{*hit, R_LW.conjugate().toRotationMatrix()};
       far = hit->distance;
     }
     return met;
@@ -192,9 +186,7 @@ class Sweeper {
     }
     const RaySurface& surface = world_.bodies().surfaces()[met->hit.surface];
     const SurfacePlace place{met->hit.triangle, met->hit.b1, met->hit.b2};
-    const Eigen::Matrix3d R_WV = met->R_WB * surface.X_BV.linear();
-    const Eigen::Vector3d normal_W =
-        R_WV * normalAt(*surface.mesh, place, R_WV.transpose() * ray.direction_W);
+    const Eigen::Vector3d normal_W = normalOf(*met, surface, ray.direction_W);
     const double cosine = std::clamp(-normal_W.dot(ray.direction_W), 0.0, 1.0);
     const double intensity =
         intensityAt(*surface.mesh, *paint_[met->hit.surface], place, world_.simulator(), cosine);
@@ -210,13 +202,9 @@ class Sweeper {
     point.normal_S = (X_GS.turn.conjugate() * normal_W).cast<float>();
     point.intensity = static_cast<float>(intensity);
     point.time = static_cast<std::int32_t>(std::llround(instant.time));
-    point.column = static_cast<std::uint16_t>(column);
+    point.column = static_cast<std::uint32_t>(column);
     point.ring = static_cast<std::uint16_t>(ring);
-    const LinkLabel& label = labels_[surface.link];
-    point.instance = label.instance;
-    point.class_number = label.class_number;
-    point.world_class = label.world_class;
-    point.part = label.part;
+    setLabel(labels_[surface.link], point);
     return point;
   }
 
@@ -259,20 +247,6 @@ class Sweeper {
 };
 
 }  // namespace
-
-Placement placementAt(const std::vector<WorldMoment>& moments,
-                      std::vector<Placement> WorldMoment::*poses, std::size_t index, double time) {
-  const auto after = std::upper_bound(
-      moments.begin(), moments.end(), time,
-      [](double t, const auto& moment) { return t < static_cast<double>(moment.offset.count()); });
-  if (after == moments.begin()) return (moments.front().*poses)[index];
-  if (after == moments.end()) return (moments.back().*poses)[index];
-  const auto before = std::prev(after);
-  const auto from = static_cast<double>(before->offset.count());
-  const auto to = static_cast<double>(after->offset.count());
-  return base::between(((*before).*poses)[index], ((*after).*poses)[index],
-                       (time - from) / (to - from));
-}
 
 Cloud sweep(const ScannedWorld& world, const LidarModel& model, const FiringPlan& plan,
             const SweepMotion& motion, const std::vector<LinkLabel>& labels, const Paint& paint,

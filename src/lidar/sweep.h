@@ -6,32 +6,12 @@
 #include "base/placement.h"
 #include "lidar/firing_plan.h"
 #include "lidar/lidar_options.h"
+#include "lidar/met_surface.h"
 #include "lidar/scanned_world.h"
+#include "lidar/world_moments.h"
 #include "synthetic_dataset/cloud.h"
 
 namespace synthetic_dataset::lidar {
-
-/// What the labels of a link's points are.
-struct LinkLabel {
-  std::uint16_t instance = 0;
-  std::uint16_t class_number = 0;
-  std::uint16_t world_class = 0;
-  std::uint16_t part = 0;
-};
-
-/// Where all that moves is at a time.
-struct WorldMoment {
-  Duration offset{0};                 ///< from the stamp
-  std::vector<base::Placement> X_WL;  ///< of ScannedWorld::moving()
-  std::vector<base::Placement> X_WS;  ///< of the lidars; only of those that ride on links
-};
-
-/// Where something is at a time, between two moments.
-/// @param poses  X_WL or X_WS
-/// @param time  from the stamp [ns]
-[[nodiscard]] base::Placement placementAt(const std::vector<WorldMoment>& moments,
-                                          std::vector<base::Placement> WorldMoment::*poses,
-                                          std::size_t index, double time);
 
 /// Where everything is while a scanner sweeps.
 struct SweepMotion {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/random/random_seed.h"
@@ -24,13 +25,24 @@ std::vector<std::int64_t> countPoints(const Cloud& cloud, std::size_t object_cou
   return counts;
 }
 
-/// One sweep that is still to be cast.
-struct PendingSweep {
-  LidarModel model;
-  FiringPlan plan;
-  SweepMotion motion;
-  std::uint64_t seed;
-};
+/// What a recorded cloud has that the user should know.
+/// @param group  the lidar's settings
+std::vector<base::Warning> warningsOf(const std::string& group, const LabelledCloud& made) {
+  std::vector<base::Warning> warnings;
+  const std::string of = " of " + std::to_string(made.cloud.points.size()) + " in a cloud";
+  if (made.unknown > 0) {
+    warnings.push_back({group +
+                            "/cloud_topic: points without label, as the world has nothing within "
+                            "label_tolerance of them",
+                        std::to_string(made.unknown) + of, made.unknown});
+  }
+  if (made.too_bright > 0) {
+    warnings.push_back({group + "/full_intensity: points whose recorded intensity is more count as "
+                                "full ones",
+                        std::to_string(made.too_bright) + of, made.too_bright});
+  }
+  return warnings;
+}
 
 /// How surfaces look for a while.
 struct HeldPaint {
@@ -48,32 +60,40 @@ SweepTaker::SweepTaker(const world::World& world, const motion::FrameSource& fra
       lidars_(lidars),
       scanned_(std::make_shared<ScannedWorld>(world, glass)),
       labels_(std::make_shared<const std::vector<LinkLabel>>(std::move(labels))),
-      seed_(static_cast<std::uint64_t>(seed)),
-      offsets_{Duration{0}} {
-  Duration half{0};
-  for (const LidarRig& lidar : lidars_) {
-    plans_.emplace_back(lidar.model);
-    half = std::max(half, plans_.back().columnTime(plans_.back().columns()));
-  }
+      seed_(static_cast<std::uint64_t>(seed)) {
+  for (const LidarRig& lidar : lidars_) plans_.emplace_back(lidar.model);
   for (const world::LinkInstance& link : world_.links()) {
     if (link.object >= 0) {
       object_count_ = std::max(object_count_, static_cast<std::size_t>(link.object) + 1);
     }
   }
-  const bool rides = std::any_of(lidars_.begin(), lidars_.end(),
-                                 [](const LidarRig& lidar) { return lidar.link.has_value(); });
-  if (scanned_->moving().empty() && !rides) return;
-  for (Duration offset = kLookPeriod; offset < half; offset += kLookPeriod) {
-    offsets_.push_back(offset);
-    offsets_.push_back(-offset);
+  can_move_ = !scanned_->moving().empty() ||
+              std::any_of(lidars_.begin(), lidars_.end(),
+                          [](const LidarRig& lidar) { return lidar.link.has_value(); });
+}
+
+std::vector<Duration> SweepTaker::offsets(Stamp stamp) const {
+  std::set<Duration> offsets = {Duration{0}};
+  for (const LidarRig& lidar : lidars_) {
+    if (!can_move_) break;
+    const motion::TimeRange times = lidar.sweepAt(stamp);
+    // By whole periods from the stamp, so that lidars have most of them in common.
+    for (auto i = times.first / kLookPeriod; i * kLookPeriod < times.last; ++i) {
+      if (i * kLookPeriod > times.first) offsets.insert(i * kLookPeriod);
+    }
+    offsets.insert({times.first, times.last});
   }
-  if (half.count() > 0) offsets_.insert(offsets_.end(), {half, -half});
-  std::sort(offsets_.begin(), offsets_.end());
+  return {offsets.begin(), offsets.end()};
+}
+
+void SweepTaker::begin(Stamp stamp) {
+  stamp_ = stamp;
+  offsets_ = offsets(stamp);
+  moments_.clear();
 }
 
 void SweepTaker::look(Duration offset) {
   if (!std::binary_search(offsets_.begin(), offsets_.end(), offset)) return;
-  if (offset == offsets_.front()) moments_.clear();
   WorldMoment& moment = moments_.emplace_back();
   moment.offset = offset;
   for (const MovingBody& body : scanned_->moving()) {
@@ -86,43 +106,68 @@ void SweepTaker::look(Duration offset) {
 }
 
 Placement SweepTaker::lidarAt(std::size_t lidar, const std::vector<WorldMoment>& moments,
-                              Stamp stamp, Duration offset) const {
-  if (!lidars_[lidar].link) return Placement(lidarPose(lidars_[lidar], frames_, stamp, offset));
+                              Duration offset) const {
+  if (!lidars_[lidar].link) return Placement(lidarPose(lidars_[lidar], frames_, stamp_, offset));
   return placementAt(moments, &WorldMoment::X_WS, lidar, static_cast<double>(offset.count()));
 }
 
-PendingClouds SweepTaker::take(std::int64_t instant, Stamp stamp,
+PendingClouds SweepTaker::take(std::int64_t instant,
                                const std::map<const world::Material*, world::Material>& materials) {
-  const auto pending = std::make_shared<std::vector<PendingSweep>>();
+  const auto pending = std::make_shared<std::vector<MakeCloud>>();
   const std::vector<WorldMoment> moments = std::exchange(moments_, {});
   for (std::size_t i = 0; i < lidars_.size(); ++i) {
-    std::vector<Placement> X_GS;
-    for (int column = 0; column <= plans_[i].columns(); ++column) {
-      X_GS.push_back(lidarAt(i, moments, stamp, plans_[i].columnTime(column)));
-    }
-    pending->push_back({lidars_[i].model,
-                        plans_[i],
-                        {moments, world_.presentLinks(), std::move(X_GS),
-                         lidarAt(i, moments, stamp, Duration{0}).pose()},
-                        base::randomSeed(seed_, instant, "lidar " + lidars_[i].name)});
+    pending->push_back(lidars_[i].recorded ? recordedCloud(i, moments)
+                                           : castCloud(i, instant, moments));
   }
   const auto held = std::make_shared<HeldPaint>();
   held->materials = materials;
   held->paint = scanned_->paint(held->materials);
-  return [pending, held, scanned = scanned_, labels = labels_, count = object_count_,
-          made = std::make_shared<std::optional<Clouds>>()] {
+  return [pending, held, count = object_count_,
+          made = std::make_shared<std::optional<TakenClouds>>()] {
     if (*made) return **made;
-    Clouds clouds;
-    for (const PendingSweep& each : *pending) {
-      Cloud cloud =
-          sweep(*scanned, each.model, each.plan, each.motion, *labels, held->paint, each.seed);
-      cloud.lidar = clouds.size();
+    TakenClouds taken;
+    for (const MakeCloud& make : *pending) {
+      Cloud cloud = make(held->paint, taken.warnings);
+      cloud.lidar = taken.clouds.size();
       cloud.points_of_objects = countPoints(cloud, count);
-      clouds.push_back(std::make_shared<const Cloud>(std::move(cloud)));
+      taken.clouds.push_back(std::make_shared<const Cloud>(std::move(cloud)));
     }
     pending->clear();
-    *made = clouds;
-    return clouds;
+    *made = taken;
+    return taken;
+  };
+}
+
+SweepTaker::MakeCloud SweepTaker::castCloud(std::size_t lidar, std::int64_t instant,
+                                            const std::vector<WorldMoment>& moments) const {
+  const FiringPlan& plan = plans_[lidar];
+  std::vector<Placement> X_GS;
+  for (int column = 0; column <= plan.columns(); ++column) {
+    X_GS.push_back(lidarAt(lidar, moments, plan.columnTime(column)));
+  }
+  const auto seed = base::randomSeed(seed_, instant, "lidar " + lidars_[lidar].name);
+  return [scanned = scanned_, labels = labels_, model = lidars_[lidar].model, plan,
+          motion = SweepMotion{moments, world_.presentLinks(), std::move(X_GS),
+                               lidarAt(lidar, moments, Duration{0}).pose()},
+          seed](const Paint& paint, std::vector<base::Warning>& /*warnings*/) {
+    return sweep(*scanned, model, plan, motion, *labels, paint, seed);
+  };
+}
+
+SweepTaker::MakeCloud SweepTaker::recordedCloud(std::size_t lidar,
+                                                const std::vector<WorldMoment>& moments) const {
+  const auto& recorded = lidars_[lidar].recorded;
+  ScannerPath path(recorded->timesAround(stamp_),
+                   [&](Duration offset) { return lidarAt(lidar, moments, offset); });
+  return [scanned = scanned_, labels = labels_, group = lidars_[lidar].group, recorded,
+          stamp = stamp_,
+          motion = RecordedMotion{moments, world_.presentLinks(), std::move(path),
+                                  lidarAt(lidar, moments, Duration{0}).pose()}](
+             const Paint& paint, std::vector<base::Warning>& warnings) {
+    LabelledCloud made =
+        labelledCloud(*scanned, recorded->read(stamp), recorded->options(), motion, *labels, paint);
+    for (base::Warning& warning : warningsOf(group, made)) warnings.push_back(std::move(warning));
+    return std::move(made.cloud);
   };
 }
 

@@ -6,8 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "lidar/firing_plan.h"
 #include "lidar/lidar_rig.h"
+#include "lidar/recorded_cloud.h"
 #include "lidar/scanned_world.h"
 #include "lidar/sweep.h"
 #include "motion/frame_source.h"
@@ -16,11 +18,17 @@
 
 namespace synthetic_dataset::lidar {
 
+/// The clouds of an instant, and what the user should know of those that were recorded.
+struct TakenClouds {
+  Clouds clouds;
+  std::vector<base::Warning> warnings;
+};
+
 /// Makes the clouds of an instant, in any one thread at a time; when it is called again, the same
 /// ones.
-using PendingClouds = std::function<Clouds()>;
+using PendingClouds = std::function<TakenClouds()>;
 
-/// Takes the sweeps of all lidars around an instant.
+/// Takes the sweeps of all lidars around an instant: casts them, or labels the recorded ones.
 ///
 /// For each instant: move the world to each of `offsets` from the instant and `look`, then `take`.
 /// What moves is interpolated between these times; a scanner is where its frame is, column by
@@ -35,30 +43,41 @@ class SweepTaker {
 
   /// The times around an instant at which it looks, ascending; 0 is among them. Nothing but 0 where
   /// nothing can move.
-  [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
+  [[nodiscard]] std::vector<Duration> offsets(Stamp stamp) const;
+
+  /// The instant of the next looks.
+  void begin(Stamp stamp);
 
   /// Keeps in mind where everything is in the world as it stands at `offset` from the instant.
   void look(Duration offset);
 
-  /// What the scanners measure while the world moves as it was seen.
+  /// What the scanners measure around the instant while the world moves as it was seen.
   /// @param materials  that surfaces have at the time (world::Look::materials)
   [[nodiscard]] PendingClouds take(
-      std::int64_t instant, Stamp stamp,
-      const std::map<const world::Material*, world::Material>& materials);
+      std::int64_t instant, const std::map<const world::Material*, world::Material>& materials);
 
  private:
+  /// Makes one lidar's cloud of an instant, and says what the user should know.
+  using MakeCloud = std::function<Cloud(const Paint& paint, std::vector<base::Warning>& warnings)>;
+
   [[nodiscard]] base::Placement lidarAt(std::size_t lidar, const std::vector<WorldMoment>& moments,
-                                        Stamp stamp, Duration offset) const;
+                                        Duration offset) const;
+  [[nodiscard]] MakeCloud castCloud(std::size_t lidar, std::int64_t instant,
+                                    const std::vector<WorldMoment>& moments) const;
+  [[nodiscard]] MakeCloud recordedCloud(std::size_t lidar,
+                                        const std::vector<WorldMoment>& moments) const;
 
   const world::World& world_;
   const motion::FrameSource& frames_;
   const std::vector<LidarRig>& lidars_;
-  std::vector<FiringPlan> plans_;  ///< of lidars_
+  std::vector<FiringPlan> plans_;  ///< of lidars_; of recorded ones not used
   std::shared_ptr<const ScannedWorld> scanned_;
   std::shared_ptr<const std::vector<LinkLabel>> labels_;
   std::size_t object_count_ = 0;
   std::uint64_t seed_;
-  std::vector<Duration> offsets_;
+  bool can_move_ = false;             ///< something that rays meet, or a scanner on a link
+  Stamp stamp_{0};                    ///< of the instant
+  std::vector<Duration> offsets_;     ///< of the instant
   std::vector<WorldMoment> moments_;  ///< of the instant, so far
 };
 

@@ -1,6 +1,8 @@
 #include "motion/timeline.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <sstream>
 
@@ -24,6 +26,15 @@ Duration periodOf(double rate) {
   const double tolerance = 4.0 * std::numeric_limits<double>::epsilon() * period;
   const double cut = std::abs(period - nearest) <= tolerance ? nearest : std::floor(period);
   return Duration(static_cast<Duration::rep>(cut));
+}
+
+std::optional<double> usualRate(const std::vector<Stamp>& stamps) {
+  std::vector<Duration> gaps;
+  for (std::size_t i = 1; i < stamps.size(); ++i) gaps.push_back(stamps[i] - stamps[i - 1]);
+  if (gaps.empty()) return std::nullopt;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  return 1.0 / toSeconds(*middle);
 }
 
 }  // namespace synthetic_dataset::motion

@@ -63,4 +63,8 @@ struct Timeline {
 /// @throws Error for a rate that has no such period
 [[nodiscard]] Duration periodOf(double rate);
 
+/// Times in a second, by the median of the time from one to the next; nothing for a single one.
+/// @param stamps  ascending
+[[nodiscard]] std::optional<double> usualRate(const std::vector<Stamp>& stamps);
+
 }  // namespace synthetic_dataset::motion

@@ -90,14 +90,18 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
   // A shutter may open before the recording begins: objects are where they are first seen then.
   const Stamp first = motion_.timeline.stamps.front();
   (void)object_motion_.objectPoses(first);
-  motion_start_ = first + offsets_.front();
+  motion_start_ = first + offsetsAt(first).front();
 }
 
 void MotionRun::makeSweepTaker() {
   if (motion_.lidars.empty()) return;
   sweep_taker_.emplace(*motion_.world, *motion_.frames, motion_.lidars, linkLabels(motion_),
                        motion_.config.rendering.glass_in_labels, motion_.config.seed);
-  offsets_ = bothOf(offsets_, sweep_taker_->offsets());
+}
+
+/// From an instant, at which the world is looked at; ascending.
+std::vector<Duration> MotionRun::offsetsAt(Stamp stamp) const {
+  return sweep_taker_ ? bothOf(offsets_, sweep_taker_->offsets(stamp)) : offsets_;
 }
 
 bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter) {
@@ -123,7 +127,8 @@ bool MotionRun::isKnownUntil(std::int64_t end) const {
                       !scene_maker_.needsOpticalFlow() && end > motion_.first_instant;
   if (!may_be) return false;
   const auto last = static_cast<std::size_t>(end - 1 - motion_.first_instant);
-  return motion_.history->reaches(motion_.timeline.stamps[last] + offsets_.back());
+  const Stamp stamp = motion_.timeline.stamps[last];
+  return motion_.history->reaches(stamp + offsetsAt(stamp).back());
 }
 
 void MotionRun::settle() {
@@ -145,6 +150,10 @@ void MotionRun::moveWorld(Stamp stamp) {
 }
 
 void MotionRun::advanceWorld(Stamp stamp) {
+  // Physics goes forward alone; recorded sweeps may overlap a little (run/setup/recorded_scenes.h).
+  if (!motion_.arranger->standsAlone() && !motion_.world->propPoses().empty()) {
+    stamp = reached_ = std::max(reached_, stamp);
+  }
   const auto poseAt = [this](int moving_object, Stamp time) {
     // While things settle, the objects stand where they start.
     return object_motion_.at(moving_object, std::max(time, motion_start_));
@@ -171,12 +180,13 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   if ((stands_alone || is_known_) && !is_wanted) return;
   // Scenes that wait for nothing are passed on one by one, as their images take much memory.
   const bool waits_for_next = scene_maker_.needsOpticalFlow() && !stands_alone;
-  const bool waits = waits_for_next || offsets_.size() > 1;
+  const std::vector<Duration> offsets = offsetsAt(stamp);
+  const bool waits = waits_for_next || offsets.size() > 1;
   std::vector<DrawnScene> scenes;
   lidar::PendingClouds clouds;
   const auto develop = [&] {
     if (sweep_taker_ && !clouds) {
-      clouds = sweep_taker_->take(instant, stamp, motion_.variation->materials());
+      clouds = sweep_taker_->take(instant, motion_.variation->materials());
     }
     for (DrawnScene& each : scenes) {
       each.clouds = clouds;
@@ -197,7 +207,8 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   };
   arrange(instant, stamp, is_wanted);
   const bool records_rows = row_recorder_.followsAny() && (is_wanted || !drawn_.empty());
-  for (const Duration offset : offsets_) {
+  if (sweep_taker_) sweep_taker_->begin(stamp);
+  for (const Duration offset : offsets) {
     moveWorld(stamp + offset);
     if (is_wanted && sweep_taker_) sweep_taker_->look(offset);
     scene::CameraPoses poses(motion_.cameras, *motion_.world, *motion_.frames, stamp, offset);
@@ -230,7 +241,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
 void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
   motion_.variation->choose(instant, *motion_.world);
   motion_.arranger->placeObjects(instant);
-  moveWorld(stamp + offsets_.front());
+  moveWorld(stamp + offsetsAt(stamp).front());
   // The scene before may wait for where things have gone.
   if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);
@@ -331,7 +342,13 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
       std::exchange(drawn.seen.pixels.labels, {})(scene, measured);
   scene::TakenPicture recorded;
   if (motion_.pictures) recorded = motion_.pictures->take(scene.camera_index, scene.stamp);
-  if (drawn.clouds) scene.clouds = std::exchange(drawn.clouds, {})();
+  if (drawn.clouds) {
+    lidar::TakenClouds taken = std::exchange(drawn.clouds, {})();
+    scene.clouds = std::move(taken.clouds);
+    if (scene.camera_index == 0) {  // all cameras of an instant have the same clouds
+      std::move(taken.warnings.begin(), taken.warnings.end(), std::back_inserter(drawn.warnings));
+    }
+  }
   const bool is_recorded = motion_.config.hasRecordedImages();
   scene.image = is_recorded ? recorded.pixels : std::exchange(drawn.image, {})();
   picture_taker_.measureDepth(scene);  // all labels are of the exact one

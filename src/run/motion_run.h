@@ -69,6 +69,7 @@ class MotionRun {
   void addOpticalFlow(scene::CameraPoses* now);
   void passOn(ScenePipeline& pipeline);
   void makeSweepTaker();
+  [[nodiscard]] std::vector<Duration> offsetsAt(Stamp stamp) const;
   [[nodiscard]] FinishedScene finish(DrawnScene& drawn) const;
   [[nodiscard]] base::SceneFacts factsOf(const DrawnScene& drawn,
                                          const label::MaskAgreement& agreement) const;
@@ -80,10 +81,11 @@ class MotionRun {
   scene::PictureTaker picture_taker_;
   scene::RowRecorder row_recorder_;
   std::optional<lidar::SweepTaker> sweep_taker_;  ///< where clouds are asked for
-  std::vector<Duration> offsets_;  ///< from an instant, at which the world is looked at; ascending
+  std::vector<Duration> offsets_;                 ///< of pictures: see offsetsAt()
   scene::ObjectMotion object_motion_;
   scene::PhysicsFindings physics_findings_;
   Stamp motion_start_{0};                        ///< when the first shutter opens
+  Stamp reached_{0};                             ///< by what physics moves
   bool is_known_ = false;                        ///< where the world stands, by its history
   std::vector<base::Warning> pending_warnings_;  ///< since the last instant
   std::vector<DrawnScene> drawn_;                ///< at the last instant; not yet passed on

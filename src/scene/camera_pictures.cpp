@@ -11,6 +11,7 @@
 #include "base/image/picture_decoder.h"
 #include "base/image/raw_picture.h"
 #include "motion/bag/ros_time.h"
+#include "motion/timeline.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
@@ -134,15 +135,7 @@ std::vector<Stamp> CameraPictures::stamps() const {
   return stamps;
 }
 
-std::optional<double> CameraPictures::rate() const {
-  const std::vector<Stamp> times = stamps();
-  std::vector<Duration> gaps;
-  for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
-  if (gaps.empty()) return std::nullopt;
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return 1.0 / toSeconds(*middle);
-}
+std::optional<double> CameraPictures::rate() const { return motion::usualRate(stamps()); }
 
 std::string CameraPictures::problemOf(std::size_t camera, std::size_t picture,
                                       const CameraRig& rig) const {

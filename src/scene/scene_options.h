@@ -34,6 +34,18 @@ struct SceneOptions {
                        [](const CameraOptions& each) { return each.image_topic.has_value(); });
   }
 
+  /// The lidar at the times of whose recorded clouds scenes are, as no pictures say when: the first
+  /// that has some. Null: none.
+  [[nodiscard]] const lidar::LidarOptions* timingLidar() const {
+    const auto found =
+        std::find_if(lidars.begin(), lidars.end(),
+                     [](const lidar::LidarOptions& each) { return each.recorded.has_value(); });
+    return isTwin() || found == lidars.end() ? nullptr : &*found;
+  }
+
+  /// Whether scenes are at the times of something that was recorded, and not at regular ones.
+  [[nodiscard]] bool hasRecordedTimes() const { return isTwin() || timingLidar() != nullptr; }
+
   /// How many objects are followed or placed, and no distractors.
   [[nodiscard]] std::size_t robotCount() const {
     std::size_t count = 0;

@@ -307,9 +307,9 @@ void World::advanceTo(Stamp time, const ObjectPoseAt& motion) {
   Impl& world = *impl_;
   if (!world.start_time) {
     world.start(time, motion);
-  } else if (time < world.now) {
+  } else if (time < world.now && world.physics) {
     throw Error("the world cannot go back in time, to " + text(time) + " from " + text(world.now) +
-                "; scenes have to be made in ascending order");
+                "; what physics moves in it goes forward alone");
   } else {
     world.simulateUntil(time, motion);
     world.moveObjects(time, motion);

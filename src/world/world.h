@@ -71,10 +71,11 @@ class World {
 
   /// Puts the world at `time`. The first call sets the clock: props start there, at rest. Later
   /// ones simulate the whole steps that lie in between, the objects moving along; for what is left
-  /// of a step, a moving prop is shown a bit further along its velocity.
-  /// @throws Error if `time` is earlier than the last one, if an object's pose is not finite or
-  ///     has not one pose a driven link, or if
-  ///     the simulation breaks down (naming the prop); the world is of no further use then
+  /// of a step, a moving prop is shown a bit further along its velocity. Without props, they may go
+  /// back.
+  /// @throws Error if there are props and `time` is earlier than the last one, if an object's pose
+  ///     is not finite or has not one pose a driven link, or if the simulation breaks down (naming
+  ///     the prop); the world is of no further use then
   void advanceTo(Stamp time, const ObjectPoseAt& motion);
 
   /// Shows the world as it stood at `time`, when another one that moved alike had been advanced

@@ -93,6 +93,51 @@ TEST_F(LidarConfig, RefusesRaysBesideThoseOfASensor) {
                                    HasSubstr("lidars/top/columns")));
 }
 
+TEST_F(LidarConfig, TakesRecordedClouds) {
+  const lidar::LidarOptions top = read({{"cloud_topic", "/points"},
+                                        {"label_tolerance", 0.05},
+                                        {"time_offset", -0.1},
+                                        {"full_intensity", 1.0}});
+  EXPECT_THAT(errors_, IsEmpty());
+  ASSERT_TRUE(top.recorded);
+  EXPECT_EQ(top.recorded->topic, "/points");
+  EXPECT_EQ(top.recorded->tolerance, 0.05);
+  EXPECT_EQ(top.recorded->time_offset, std::chrono::milliseconds(-100));
+  EXPECT_EQ(top.recorded->full_intensity, 1.0);
+  EXPECT_EQ(top.recorded->longest_distance, std::chrono::milliseconds(60));
+  EXPECT_EQ(top.frame, "") << "the clouds say it";
+}
+
+TEST_F(LidarConfig, RefusesRaysBesideRecordedClouds) {
+  (void)read({{"cloud_topic", "/points"}, {"model", "VLP-16"}, {"noise", 0.1}});
+  EXPECT_THAT(errors_, ElementsAre(HasSubstr("lidars/top/model: found together with cloud_topic; "
+                                             "recorded points are as they were measured"),
+                                   HasSubstr("lidars/top/noise")));
+}
+
+TEST_F(LidarConfig, RefusesWhatIsOfRecordedCloudsWithoutThem) {
+  (void)read({{"model", "VLP-16"}, {"label_tolerance", 0.1}});
+  EXPECT_THAT(errors_,
+              ElementsAre(HasSubstr("lidars/top/label_tolerance: has a meaning with cloud_topic")));
+}
+
+TEST_F(LidarConfig, TakesEveryNthCloudOfTheFirstLidarAlone) {
+  const auto errorsOf = [](bool has_pictures) {
+    scene::CameraOptions camera;
+    if (has_pictures) camera.image_topic = "/eye";
+    const auto each = [](const char* topic) {
+      return Value(Value::Map{{"cloud_topic", Value(topic)}, {"every", Value(5)}});
+    };
+    Parameters root(
+        Value(Value::Map{{"lidars", Value::Map{{"a", each("/a")}, {"b", each("/b")}}}}));
+    (void)readLidars(root, {camera});
+    return root.errors();
+  };
+  EXPECT_THAT(errorsOf(false), ElementsAre(HasSubstr("lidars/b/every: found for a second lidar")));
+  EXPECT_THAT(errorsOf(true), ElementsAre(HasSubstr("lidars/a/every: found beside a camera's"),
+                                          HasSubstr("lidars/b/every: found beside a camera's")));
+}
+
 TEST_F(LidarConfig, RefusesTheFrameOfACamera) {
   scene::CameraOptions camera;
   camera.frame = "optical";

@@ -104,11 +104,12 @@ TEST(LidarRig, RidesOnALinkThatMoves) {
   EXPECT_FALSE(lidars.front().followsFrame());
   SweepTaker taker(hall.world(), no_frames, lidars, hall.labels(),
                    render::GlassInLabels::kOfObjects, 7);
-  for (const Duration offset : taker.offsets()) {
+  taker.begin(test::kSweepTime);
+  for (const Duration offset : taker.offsets(test::kSweepTime)) {
     hall.world().advanceTo(test::kSweepTime + offset, hall.poseAt());
     taker.look(offset);
   }
-  const Cloud cloud = *taker.take(0, test::kSweepTime, {})().front();
+  const Cloud cloud = *taker.take(0, {})().clouds.front();
   EXPECT_TRUE(cloud.X_GS.isApprox(hall.boxPose(1, test::kSweepTime) * sensor.X_LS, 1e-9));
   int walls = 0;
   for (const CloudPoint& point : cloud.points) {

@@ -155,11 +155,12 @@ inline Cloud cloudIn(ScannedHall& hall, const lidar::LidarModel& model,
   const std::vector<lidar::LidarRig> lidars = {scannerOf(model, frames)};
   lidar::SweepTaker taker(hall.world(), frames, lidars, hall.labels(),
                           render::GlassInLabels::kOfObjects, 7);
-  for (const Duration offset : taker.offsets()) {
+  taker.begin(stamp);
+  for (const Duration offset : taker.offsets(stamp)) {
     hall.world().advanceTo(stamp + offset, hall.poseAt());
     taker.look(offset);
   }
-  return *taker.take(0, stamp, {})().front();
+  return *taker.take(0, {})().clouds.front();
 }
 
 }  // namespace synthetic_dataset::test

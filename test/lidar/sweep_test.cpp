@@ -61,6 +61,7 @@ TEST(Sweep, LabelsPointsByWhatTheyAreOf) {
 }
 
 TEST(Sweep, HasTheSameBytesEachTime) {
+  constexpr std::size_t kPadding = 2;  // at a point's end
   const auto bytesOf = [] {
     ScannedHall hall(8);
     LidarModel model = test::exactModel(16, 512);
@@ -70,7 +71,7 @@ TEST(Sweep, HasTheSameBytesEachTime) {
     const Cloud cloud = test::cloudIn(hall, model, frames);
     std::string bytes;
     for (const CloudPoint& point : cloud.points) {
-      bytes.append(reinterpret_cast<const char*>(&point), sizeof point);
+      bytes.append(reinterpret_cast<const char*>(&point), sizeof point - kPadding);
     }
     return bytes;
   };

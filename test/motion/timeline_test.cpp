@@ -63,5 +63,12 @@ TEST(PeriodOf, RefusesRatesThatHaveNoPeriod) {
   }
 }
 
+TEST(Timeline, KnowsHowOftenTimesUsuallyCome) {
+  using std::chrono::milliseconds;
+  EXPECT_EQ(usualRate({milliseconds(0), milliseconds(100), milliseconds(200), milliseconds(900)}),
+            10.0);
+  EXPECT_FALSE(usualRate({milliseconds(7)}));
+}
+
 }  // namespace timeline_test
 }  // namespace synthetic_dataset::motion

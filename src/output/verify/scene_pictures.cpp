@@ -101,7 +101,7 @@ void ScenePictures::giveClouds(Scene& scene, const DatasetInfo& dataset, Filling
     for (std::size_t i = 0; i < of_each; ++i) {
       CloudPoint& point = cloud.points.emplace_back();
       point.position_S = point.position_at_stamp_S = {1.0F, 2.0F, 3.0F};
-      point.column = static_cast<std::uint16_t>(cloud.points.size() - 1);
+      point.column = static_cast<std::uint32_t>(cloud.points.size() - 1);
       point.instance = instance;
       point.class_number = class_number;
       point.world_class = of_world;

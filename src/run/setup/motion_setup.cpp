@@ -9,6 +9,7 @@
 #include "base/seconds.h"
 #include "motion/placed_frames.h"
 #include "run/setup/input_cache.h"
+#include "run/setup/recorded_scenes.h"
 #include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"
 #include "run/setup/setup_notes.h"
@@ -230,7 +231,7 @@ class MotionBuilder {
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
       if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
       if (rig->looks_at) rig->looks_at->centres_O = middlesOf(rig->looks_at->object);
-      if (!config().isTwin()) checkShutter(camera, *rig);
+      if (!config().hasRecordedTimes()) checkShutter(camera, *rig);
       noteBlindLens(camera, *rig);
       noteFarAxis(camera, *rig);
       setup_.cameras.push_back(std::move(*rig));
@@ -245,22 +246,49 @@ class MotionBuilder {
       if (object.takes_part) around_lidars_.object_frames.emplace(object.name, object.frame);
     }
     if (setup_.world) around_lidars_.links = setup_.world->links();
-    for (const lidar::LidarOptions& lidar : config().lidars) {
+    for (lidar::LidarOptions& lidar : setup_.config.lidars) {
       if (lidar.sensor && !setup_.world) continue;  // reported already
+      std::shared_ptr<const lidar::RecordedSweeps> recorded;
+      if (lidar.recorded) recorded = findClouds(lidar);
+      if (lidar.recorded && !recorded) continue;
       auto rig = diagnostics().attempt([&] {
-        return lidar::makeLidarRig(lidar, around_lidars_, *setup_.frames, diagnostics());
+        return lidar::makeLidarRig(lidar, around_lidars_, *setup_.frames, diagnostics(), recorded);
       });
       if (!rig) continue;
       checkSweep(*rig);
+      if (lidar.frame.empty() && isTaken(*rig)) continue;
+      lidar.frame = rig->frame;
       setup_.lidars.push_back(std::move(*rig));
     }
+    const auto times = recordedTimes();
+    if (times) setup_.config.motion.rate = motion::usualRate(*times).value_or(config().motion.rate);
+  }
+
+  [[nodiscard]] std::shared_ptr<const lidar::RecordedSweeps> findClouds(
+      const lidar::LidarOptions& lidar) {
+    if (config().isPlaced()) return nullptr;  // reported already
+    on_stage_("looking through the recorded clouds of " + lidar.name);
+    return attempt([&] {
+      return std::make_shared<const lidar::RecordedSweeps>(lidar, config().motion.bag_files,
+                                                           diagnostics());
+    });
+  }
+
+  /// Frames that settings name are not shared, as the settings' reader checks.
+  bool isTaken(const lidar::LidarRig& lidar) {
+    if (!setup_.isSensorFrame(lidar.frame)) return false;
+    diagnostics().error(lidar.group + "/frame_id",
+                        "missing, and its clouds have the frame '" + lidar.frame +
+                            "', which is also that of a camera or another lidar; each should have "
+                            "its own");
+    return true;
   }
 
   /// As checkShutter: a sweep has to end before the next one begins.
   void checkSweep(const lidar::LidarRig& lidar) {
     const Duration sweep = lidar::sweepTime(lidar.model);
     const Duration period = shortestPeriod(config());
-    if (sweep <= period || config().isTwin()) return;
+    if (sweep <= period || config().hasRecordedTimes()) return;
     diagnostics().error(
         lidar.group + "/rate",
         "found " + Value(lidar.model.rate).text() + " Hz, at which a sweep takes " +
@@ -303,8 +331,11 @@ class MotionBuilder {
   }
 
   void checkPictures() {
+    if (config().hasRecordedTimes()) checkOpenTimes();
+    if (setup_.world && !setup_.timeline.stamps.empty()) {
+      checkClouds(setup_.lidars, setup_.timeline.stamps, *setup_.world, diagnostics());
+    }
     if (!setup_.pictures) return;
-    checkOpenTimes();
     diagnostics().add(base::Severity::kError,
                       setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
     if (setup_.surfaces && !setup_.timeline.stamps.empty()) {
@@ -312,20 +343,21 @@ class MotionBuilder {
     }
   }
 
-  /// As checkShutter, of pictures that are drawn at the times of recorded ones.
+  /// As checkShutter, of what is drawn or measured at the times of what was recorded.
   void checkOpenTimes() {
     Duration shortest = Duration::max();
     const std::vector<Stamp>& stamps = setup_.timeline.stamps;
     for (std::size_t i = 1; i < stamps.size(); ++i) {
       shortest = std::min(shortest, stamps[i] - stamps[i - 1]);
     }
+    const std::string recorded = config().isTwin() ? "pictures" : "clouds";
     for (const lidar::LidarRig& lidar : setup_.lidars) {
       const Duration sweep = lidar::sweepTime(lidar.model);
-      if (sweep <= shortest) continue;
+      if (lidar.recorded || sweep <= shortest) continue;
       diagnostics().error(lidar.group + "/rate", "found a sweep of " + fixed(toSeconds(sweep), 4) +
                                                      " s; it should be at most the " +
                                                      fixed(toSeconds(shortest), 4) +
-                                                     " s between two recorded pictures");
+                                                     " s between two recorded " + recorded);
     }
     for (std::size_t i = 0; i < setup_.cameras.size(); ++i) {
       const Duration open = scene::openTime(setup_.cameras[i].shutter);
@@ -333,7 +365,7 @@ class MotionBuilder {
       diagnostics().error(config().cameras[i].group + "/effects",
                           "found exposure_time + readout_time of " + fixed(toSeconds(open), 4) +
                               " s; it should be at most the " + fixed(toSeconds(shortest), 4) +
-                              " s between two recorded pictures");
+                              " s between two recorded " + recorded);
     }
   }
 
@@ -419,17 +451,29 @@ class MotionBuilder {
   void planScenes() {
     if (!setup_.frames || config().objects.empty()) return;
     if (config().isTwin() && !setup_.pictures) return;  // reported already
+    if (config().hasRecordedTimes() && setup_.lidars.size() != config().lidars.size()) return;
     needWhatCamerasNeed();
     forgetInHoles(config(), *setup_.frames);
     auto timeline = diagnostics().attempt([&] {
-      std::optional<std::vector<Stamp>> stamps;
-      if (setup_.pictures) stamps = setup_.pictures->stamps();
+      auto stamps = recordedTimes();
+      if (stamps) stamps = scenesWithClouds(setup_.lidars, std::move(*stamps), diagnostics());
       return run::planScenes(*setup_.frames, config(), setup_.cameras, setup_.lidars,
                              setup_.driven_links, std::move(stamps));
     });
     if (!timeline) return;
     diagnostics().merge(timeline->diagnostics);
     setup_.timeline = std::move(*timeline);
+  }
+
+  /// The times of the recorded pictures, or clouds, that scenes are of.
+  [[nodiscard]] std::optional<std::vector<Stamp>> recordedTimes() const {
+    if (setup_.pictures) return setup_.pictures->stamps();
+    const lidar::LidarOptions* timing = config().timingLidar();
+    if (timing == nullptr) return std::nullopt;
+    for (const lidar::LidarRig& lidar : setup_.lidars) {
+      if (lidar.name == timing->name) return lidar.recorded->stamps();
+    }
+    return std::nullopt;
   }
 
   /// Whether a camera stands or looks nowhere while an object is not known.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/name_list.h"
@@ -54,33 +56,40 @@ void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
       static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
 }
 
+/// When something is exposed, or measured, around a scene's stamp.
+using TimesAround = std::function<motion::TimeRange(Stamp scene)>;
+
 /// Scenes during whose exposure a frame is not known, as at the recording's ends, or, of an object
 /// that may be absent, comes or goes.
 /// @param sometimes  the frames of these
 void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids,
-                         const std::vector<motion::FrameId>& sometimes, Duration open,
+                         const std::vector<motion::FrameId>& sometimes, const TimesAround& open,
                          const motion::FrameSource& frames, motion::Timeline& timeline) {
   const auto isKnown = [&](motion::FrameId id, Stamp time) {
     return frames.pose(id, time).has_value();
   };
   const auto is_half_exposed = [&](Stamp stamp) {
+    const auto [first, last] = open(stamp);
+    const Stamp begin = stamp + first;
+    const Stamp end = stamp + last;
     const auto isLost = [&](motion::FrameId id) {
-      return isKnown(id, stamp) &&
-             !(isKnown(id, stamp - open / 2) && isKnown(id, stamp + open / 2));
+      return isKnown(id, stamp) && !(isKnown(id, begin) && isKnown(id, end));
     };
     const auto changes = [&](motion::FrameId id) {
-      return isLost(id) || (!isKnown(id, stamp) &&
-                            (isKnown(id, stamp - open / 2) || isKnown(id, stamp + open / 2)));
+      return isLost(id) || (!isKnown(id, stamp) && (isKnown(id, begin) || isKnown(id, end)));
     };
     return std::any_of(ids.begin(), ids.end(), isLost) ||
            std::any_of(sometimes.begin(), sometimes.end(), changes);
   };
+  const std::optional<Stamp> any =
+      timeline.stamps.empty() ? std::nullopt : std::optional(timeline.stamps.front());
   leaveOut(is_half_exposed, timeline);
-  if (timeline.stamps.empty()) {
+  if (timeline.stamps.empty() && any) {
+    const auto [first, last] = open(*any);
     throw Error(
         "effects/exposure_time, readout_time, lidars: no scene of the recording is known over "
         "its whole exposure, or sweep, of " +
-        fixed(toSeconds(open), 4) + " s");
+        fixed(toSeconds(last - first), 4) + " s");
   }
 }
 
@@ -222,17 +231,16 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
   motion::TimelineOptions options = timelineOptions(config);
   options.stamps = std::move(stamps);
   std::vector<std::string> names;
-  Duration open{0};
+  Duration exposed{0};
   for (const scene::ObjectOptions& object : config.objects) {
     (maybeAbsent(object) ? options.sometimes : names).push_back(object.frame);
   }
   for (const scene::CameraRig& camera : cameras) {
     if (const std::string frame = camera.neededFrame(); !frame.empty()) names.push_back(frame);
-    open = std::max(open, scene::openTime(camera.shutter));
+    exposed = std::max(exposed, scene::openTime(camera.shutter));
   }
   for (const lidar::LidarRig& lidar : lidars) {
     if (lidar.followsFrame()) names.push_back(lidar.frame);
-    open = std::max(open, lidar::sweepTime(lidar.model));
   }
   motion::Timeline timeline = findTimeline(names, frames, config, options);
   const auto idsOf = [&](const std::vector<std::string>& all) {
@@ -252,13 +260,21 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
   }
   noteAbsences(frames, config, timeline);
   warnOfLostTime(config, cameras, timeline);
-  if (open.count() == 0) return timeline;
+  if (exposed.count() == 0 && lidars.empty()) return timeline;
   std::vector<motion::FrameId> ids = idsOf(names);
   for (const std::vector<scene::DrivenLinks>& object : driven_links) {
     for (const scene::DrivenLinks& variant : object) {
       for (const scene::DrivenLink& link : variant) ids.push_back(link.frame);
     }
   }
+  const TimesAround open = [&](Stamp scene) {
+    motion::TimeRange times{-exposed / 2, exposed / 2};
+    for (const lidar::LidarRig& lidar : lidars) {
+      const motion::TimeRange sweep = lidar.sweepAt(scene);
+      times = {std::min(times.first, sweep.first), std::max(times.last, sweep.last)};
+    }
+    return times;
+  };
   leaveOutHalfExposed(ids, sometimes, open, frames, timeline);
   return timeline;
 }

@@ -18,7 +18,7 @@ namespace synthetic_dataset::run {
 /// all objects that may not be absent, over the whole exposure of each picture and the whole sweep
 /// of each lidar. What that costs of the recording, and whose it is, is among the timeline's
 /// diagnostics.
-/// @param stamps  the times of recorded pictures, which take the place of regular ones
+/// @param stamps  the times of recorded pictures or clouds, which take the place of regular ones
 /// @throws ErrorList when there is none, saying why
 [[nodiscard]] motion::Timeline planScenes(
     const motion::FrameSource& frames, const config::Config& config,

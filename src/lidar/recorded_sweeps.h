@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "lidar/lidar_options.h"
+#include "motion/recorded/recorded_clouds.h"
+#include "synthetic_dataset/pose.h"
+
+namespace synthetic_dataset::lidar {
+
+/// The clouds that a lidar has recorded: which of them a scene has, and when their points were
+/// measured.
+///
+/// A scene has the cloud whose stamp it has, else the one the middle of whose times is nearest:
+/// drivers give clouds the time at which a sweep begins, or ends.
+class RecordedSweeps {
+ public:
+  /// @param lidar  with `recorded`
+  /// @param bag_files  bags that can be read
+  /// @param diagnostics  what the user should know: clouds with the stamp of another one
+  /// @throws Error naming the setting, when the topic cannot be read, or clouds are of several
+  ///     frames
+  RecordedSweeps(const LidarOptions& lidar, const std::vector<std::string>& bag_files,
+                 base::Diagnostics& diagnostics);
+
+  [[nodiscard]] const RecordedSweepOptions& options() const { return options_; }
+
+  /// The scanner's, as the headers have it.
+  [[nodiscard]] const std::string& frame() const { return clouds_.heads().front().frame; }
+
+  /// When there are scenes, where the clouds say so: the stamps, by the clock of TF, of every n-th
+  /// cloud. At least one.
+  [[nodiscard]] std::vector<Stamp> stamps() const;
+
+  /// How far the middle of the nearest cloud is from a scene; 0 for a cloud's own stamp.
+  [[nodiscard]] Duration distanceTo(Stamp scene) const;
+
+  /// When the points of a scene's cloud were measured, since the scene's stamp.
+  [[nodiscard]] motion::TimeRange timesAround(Stamp scene) const;
+
+  /// What prevents scenes at these times, with the first cloud that cannot be read: "the cloud of
+  /// '/points' at 12 s has no field z, ..."
+  [[nodiscard]] std::optional<std::string> problem(const std::vector<Stamp>& scenes) const;
+
+  /// What was measured in a scene's cloud, its times since the scene's stamp; in any thread.
+  /// @throws Error naming the setting, the topic and the stamp where it cannot be read
+  [[nodiscard]] motion::MeasuredCloud read(Stamp scene) const;
+
+ private:
+  /// Without looking at the distance.
+  [[nodiscard]] std::size_t cloudOf(Stamp scene) const;
+  [[nodiscard]] Stamp stampOf(std::size_t cloud) const;
+  [[nodiscard]] std::string nameOf(std::size_t cloud) const;
+
+  std::string setting_;
+  RecordedSweepOptions options_;
+  motion::RecordedClouds clouds_;
+  std::vector<Stamp> middles_;  ///< of the clouds' times by the clock of TF, not always ascending
+};
+
+}  // namespace synthetic_dataset::lidar
