@@ -29,7 +29,7 @@ SENSOR = {'exposure': {'normal': [0, 0.4], 'min': -1, 'max': 0.8}, 'blur': {'uni
           'noise_stddev': {'uniform': [0, 0.03]}}
 PASTED = {'mode': 'volume', 'orientation': 'upright', 'volume': {'min': [-2, -2, 0], 'max': [2, 2, 0.5]}}
 BACKGROUND = {'pictures': 'natural', 'brightness': {'uniform': [0.6, 1.2]}}
-CAMERA = {'sample': {'unit': 'sizes', 'distance': {'log_uniform': [1.6, 18]}, 'elevation': {'uniform': [0, 0.8]},
+CAMERA = {'sample': {'unit': 'sizes', 'distance': {'log_uniform': [1.1, 18]}, 'elevation': {'uniform': [0, 0.8]},
                      'aim_offset': {'normal': [0, 0.12]}, 'roll': {'normal': [0, 0.08]}}}
 PLAIN_CAMERA = {'sample': {**PLAIN['camera']['sample'], 'unit': 'metres', 'roll': 0}}
 

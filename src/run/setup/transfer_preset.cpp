@@ -51,13 +51,13 @@ randomize:
 /// What objects that have no surroundings get. Lengths are in sizes of the largest object, but for
 /// those of the air.
 const char* const kSurroundings = R"(
-labels: {min_visibility: 0.15, min_pixels: 30}
+labels: {min_visibility: 0.15, min_pixels: 16}
 world: {file: "package://synthetic_dataset/worlds/sun.sdf"}
 camera:
   sample:
     look_at: any
     unit: sizes
-    distance: {log_uniform: [1.6, 18.0]}
+    distance: {log_uniform: [1.1, 18.0]}
     elevation: {uniform: [0.0, 0.8]}
     aim_offset: {normal: [0.0, 0.12]}
     roll: {normal: [0.0, 0.08]}
@@ -96,7 +96,7 @@ motions:
   - name: room
     weight: 0.7
     placement: {mode: drop, orientation: upright, rows: 0.3, volume: {min: [-2.8, -2.8, 0.05], max: [2.8, 2.8, 0.3]}}
-    camera: {sample: {distance: {log_uniform: [1.6, 8.0]}}}
+    camera: {sample: {distance: {log_uniform: [1.1, 8.0]}}}
     randomize:
       room: {size: [11.0, 11.0, 4.5], tile: 3.0}
       materials: *paint
