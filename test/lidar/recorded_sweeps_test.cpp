@@ -38,7 +38,7 @@ class RecordedSweepsTest : public ::testing::Test {
                                {"time", PointField::FLOAT64, {-0.1, 0.0}}});
   }
 
-  RecordedSweeps read(BagBuilder& bag) { return RecordedSweeps(lidar, {bag.close()}, notes); }
+  RecordedSweeps read() { return RecordedSweeps(lidar, {bag.close()}, notes); }
 
   test::TemporaryFolder folder;
   LidarOptions lidar;
@@ -48,7 +48,7 @@ class RecordedSweepsTest : public ::testing::Test {
 
 TEST_F(RecordedSweepsTest, GiveASceneTheCloudWhoseMiddleIsNearest) {
   for (const int end : {1100, 1200, 1300}) bag.cloud("/points", sweepUntil(end));
-  const RecordedSweeps sweeps = read(bag);
+  const RecordedSweeps sweeps = read();
   EXPECT_EQ(sweeps.frame(), "velodyne");
   const motion::TimeRange times = sweeps.timesAround(milliseconds(1130));
   EXPECT_EQ(times.first, milliseconds(-30)) << "the stamp of the cloud before is nearer";
@@ -62,7 +62,7 @@ TEST_F(RecordedSweepsTest, GiveASceneTheCloudWhoseMiddleIsNearest) {
 TEST_F(RecordedSweepsTest, GiveASceneTheCloudOfItsOwnStamp) {
   for (const int end : {1100, 1200}) bag.cloud("/points", sweepUntil(end));
   lidar.recorded->time_offset = milliseconds(-7);
-  const RecordedSweeps sweeps = read(bag);
+  const RecordedSweeps sweeps = read();
   EXPECT_THAT(sweeps.stamps(), ElementsAre(milliseconds(1093), milliseconds(1193)));
   EXPECT_EQ(sweeps.distanceTo(milliseconds(1093)), Duration{0});
   EXPECT_EQ(sweeps.timesAround(milliseconds(1093)).first, milliseconds(-100));
@@ -73,7 +73,7 @@ TEST_F(RecordedSweepsTest, GiveASceneTheCloudOfItsOwnStamp) {
 TEST_F(RecordedSweepsTest, LeaveCloudsOut) {
   for (const int end : {1100, 1200, 1300, 1300, 1400}) bag.cloud("/points", sweepUntil(end));
   lidar.recorded->every = 3;
-  const RecordedSweeps sweeps = read(bag);
+  const RecordedSweeps sweeps = read();
   EXPECT_THAT(sweeps.stamps(), ElementsAre(milliseconds(1100), milliseconds(1400)));
   EXPECT_THAT(notes.messages(base::Severity::kWarning),
               ElementsAre("lidars/top/cloud_topic: clouds with the stamp of another one are left "
@@ -87,7 +87,7 @@ TEST_F(RecordedSweepsTest, NameWhatCannotBeRead) {
     blind.fields[2].name = "height";
     bag.cloud("/points", blind);
   }
-  const RecordedSweeps sweeps = read(bag);
+  const RecordedSweeps sweeps = read();
   EXPECT_FALSE(sweeps.problem({milliseconds(1100)}));
   EXPECT_THAT(*sweeps.problem(sweeps.stamps()),
               AllOf(HasSubstr("lidars/top/cloud_topic: the cloud of '/points' at 1.200000000 s has "
