@@ -31,12 +31,15 @@ struct Fan {
       least = std::min(least, axis_S.dot(plan.direction(0, ring)));
     }
     constexpr double kRounding = 1e-3;  // [rad]
-    half_angle = std::acos(std::clamp(least, -1.0, 1.0)) + kRounding;
+    const double half_angle = std::acos(std::clamp(least, -1.0, 1.0)) + kRounding;
+    cosine = std::cos(half_angle);
+    sine = std::sin(half_angle);
   }
 
   Eigen::Vector3d axis_S{1, 0, 0};  ///< of column 0
-  double half_angle = 0.0;
-  bool is_narrow = false;  ///< else rays go everywhere
+  double cosine = 1.0;              ///< of the angle between its axis and the outermost ray
+  double sine = 0.0;                ///< likewise
+  bool is_narrow = false;           ///< else rays go everywhere
 };
 
 /// Where all is when a ray is sent.
@@ -74,7 +77,15 @@ class Sweeper {
         paint_(paint),
         seed_(seed),
         fan_(plan),
-        X_SG_at_stamp_(motion.X_GS_at_stamp.inverse()) {}
+        X_SG_at_stamp_(motion.X_GS_at_stamp.inverse()) {
+    for (const WorldMoment& moment : motion.moments) {
+      std::vector<Eigen::Vector3d>& centres = centres_W_.emplace_back();
+      for (std::size_t i = 0; i < world.moving().size(); ++i) {
+        const Placement& X_WL = moment.X_WL[i];
+        centres.push_back(X_WL.position + X_WL.turn * world.moving()[i].centre_L);
+      }
+    }
+  }
 
   /// The points of columns from `begin` on, before `end`.
   [[nodiscard]] std::vector<CloudPoint> scan(int begin, int end) const {
@@ -134,23 +145,33 @@ class Sweeper {
     const double turned = std::atan2(here.y(), here.x()) - azimuth_0;
     const Eigen::Vector3d axis_W =
         X_GS.turn * (Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitZ()) * fan_.axis_S);
-    const double time = timeOf(column, 0.0);
+    const MomentsAround around = momentsAround(motion_.moments, timeOf(column, 0.0));
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < world_.moving().size(); ++i) {
       const MovingBody& body = world_.moving()[i];
       if (!motion_.present[body.link]) continue;
-      const Placement X_WL = bodyAt(i, time);
-      const Eigen::Vector3d to_body = X_WL.position + X_WL.turn * body.centre_L - X_GS.position;
+      const Eigen::Vector3d& before = centres_W_[around.before][i];
+      const Eigen::Vector3d to_body =
+          before + around.share * (centres_W_[around.after][i] - before) - X_GS.position;
       const double radius = body.radius + kColumnReach;
       const double distance = to_body.norm();
       if (distance - radius > model_.max_range) continue;
-      if (fan_.is_narrow && distance > radius) {
-        const double cosine = std::clamp(to_body.dot(axis_W) / distance, -1.0, 1.0);
-        if (std::acos(cosine) > fan_.half_angle + std::asin(radius / distance)) continue;
+      if (fan_.is_narrow && distance > radius && isBeside(to_body, distance, radius, axis_W)) {
+        continue;
       }
       near.push_back(i);
     }
     return near;
+  }
+
+  /// Whether a ball is outside a fan, which then is as wide as the fan and half the ball together.
+  [[nodiscard]] bool isBeside(const Eigen::Vector3d& to_ball, double distance, double radius,
+                              const Eigen::Vector3d& axis) const {
+    const double sine = radius / distance;
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const bool is_half_turn = fan_.sine * cosine + fan_.cosine * sine <= 0.0;
+    if (is_half_turn) return false;
+    return to_ball.dot(axis) < distance * (fan_.cosine * cosine - fan_.sine * sine);
   }
 
   [[nodiscard]] std::optional<MetSurface> meet(const Ray& ray, const Instant& instant) const {
@@ -244,6 +265,7 @@ class Sweeper {
   std::uint64_t seed_;
   Fan fan_;
   Pose X_SG_at_stamp_;
+  std::vector<std::vector<Eigen::Vector3d>> centres_W_;  ///< at each moment, of moving bodies
 };
 
 }  // namespace

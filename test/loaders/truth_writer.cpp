@@ -76,8 +76,8 @@ Json cloud(const Cloud& given) {
                                each.position_at_stamp_S.z(), each.intensity}) {
       points.push_back(number);
     }
-    for (const int number :
-         {each.ring, each.column, each.instance, each.class_number, each.world_class}) {
+    for (const std::uint32_t number : std::initializer_list<std::uint32_t>{
+             each.ring, each.column, each.instance, each.class_number, each.world_class}) {
       points.push_back(number);
     }
   }
