@@ -35,8 +35,7 @@ void readLidar(Parameters& parameters, const DatasetInfo& dataset, NuScenesOptio
 /// Every how many instants there is a sample.
 std::int64_t readKeyframes(Parameters& parameters, const DatasetInfo& dataset) {
   constexpr std::int64_t kMost = 1000;
-  const std::int64_t every =
-      parameters.optionalBetween<std::int64_t>("keyframe_every", 1, 1, kMost);
+  const auto every = parameters.optionalBetween<std::int64_t>("keyframe_every", 1, 1, kMost);
   if (every == 1) return every;
   const auto refuse = [&](const std::string& why) {
     parameters.addError("keyframe_every", "found " + std::to_string(every) + "; " + why);

@@ -108,8 +108,9 @@ cv::Mat_<int> cellsOf(const LabelledCloud& cloud, const std::vector<Direction>& 
       rows.empty() ? size.height : 1 + *std::max_element(rows.begin(), rows.end());
   Cells cells({size.width, std::min(row_count, size.height)}, directions);
   const auto place = [](double value, double first, double last, int count) {
-    return last == first ? 0
-                         : static_cast<int>((value - first) / (last - first) * (count - 1) + 0.5);
+    return last == first
+               ? 0
+               : static_cast<int>(std::lround((value - first) / (last - first) * (count - 1)));
   };
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const int height = cells.points().rows;

@@ -82,7 +82,7 @@ class Sweeper {
       std::vector<Eigen::Vector3d>& centres = centres_W_.emplace_back();
       for (std::size_t i = 0; i < world.moving().size(); ++i) {
         const Placement& X_WL = moment.X_WL[i];
-        centres.push_back(X_WL.position + X_WL.turn * world.moving()[i].centre_L);
+        centres.emplace_back(X_WL.position + X_WL.turn * world.moving()[i].centre_L);
       }
     }
   }

@@ -22,7 +22,7 @@ Value groupOf(const std::map<std::string, Value>& settings) {
     }
   }
   for (const auto& [name, each] : inner) group[name] = groupOf(each);
-  return Value(group);
+  return group;
 }
 
 }  // namespace

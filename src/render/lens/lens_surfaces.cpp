@@ -187,7 +187,7 @@ SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, b
   const auto image = [&](bool is_wanted) {
     return is_wanted ? cv::Mat(place.size(), CV_16UC4) : cv::Mat();
   };
-  const SurfaceImages images{image(true), image(true), image(planes.faces), image(planes.glows)};
+  SurfaceImages images{image(true), image(true), image(planes.faces), image(planes.glows)};
   cv::parallel_for_(cv::Range(0, place.height), [&](const cv::Range& rows) {
     findRows(sight, is_classic, place, wanted, rows, images);
   });

@@ -112,7 +112,7 @@ void markNearer(const MapPiece& piece, const cv::Mat& standing, const cv::Rect& 
   const int end = texels.x + texels.width;
   for (int row = texels.y; row < texels.y + texels.height; ++row) {
     const float* cast = piece.depths.ptr<float>(row - texels.y) - texels.x;
-    const float* behind = standing.ptr<float>(row);
+    const auto* behind = standing.ptr<float>(row);
     auto* marked = cells.ptr<unsigned char>(cellOf(row) - place.y) - place.x;
     for (int cell = cellOf(texels.x); cell * kCell < end; ++cell) {
       if (marked[cell] != 0) continue;
