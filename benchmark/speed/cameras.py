@@ -1,6 +1,6 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
-background subtraction, several cameras, full light, many lamps, skies and panoramas, weather; where the camera stands, where it rides,
-and where it drives.
+background subtraction, several cameras, full light, many lamps, skies and panoramas, weather. Each is measured for a camera
+that is fixed, one on a swinging mast, and one on a rover.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT] [--world FILE [--models FOLDER]]
 

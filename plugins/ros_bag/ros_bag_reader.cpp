@@ -152,7 +152,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// Where a point's number of a field stands in its bytes.
+/// The offset of a field within a point's bytes.
 std::size_t offsetOf(const sensor_msgs::PointCloud2& message, const char* field,
                      const fs::path& file) {
   for (const sensor_msgs::PointField& each : message.fields) {

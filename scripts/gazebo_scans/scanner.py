@@ -1,4 +1,4 @@
-"""The scanners that stand in worlds of the reference data, for Gazebo 11 and for this program."""
+"""The scanners that are added to the reference worlds, for Gazebo 11 and for this program."""
 import glob
 import re
 

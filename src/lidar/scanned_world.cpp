@@ -42,15 +42,14 @@ Eigen::AlignedBox3d boundsOf(const std::vector<RaySurface>& surfaces) {
 
 /// Where most surfaces are: one that stands far from all others does not move it.
 Eigen::Vector3d middleOf(const std::vector<RaySurface>& surfaces) {
+  std::vector<Eigen::Vector3d> centres;
+  for (const RaySurface& surface : surfaces) centres.emplace_back(boundsOf({surface}).center());
+  const auto half = centres.begin() + static_cast<std::ptrdiff_t>(centres.size() / 2);
   Eigen::Vector3d middle;
   for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> centres;
-    for (const RaySurface& surface : surfaces) {
-      centres.push_back(boundsOf({surface}).center()[axis]);
-    }
-    const auto half = centres.begin() + static_cast<std::ptrdiff_t>(centres.size() / 2);
-    std::nth_element(centres.begin(), half, centres.end());
-    middle[axis] = *half;
+    std::nth_element(centres.begin(), half, centres.end(),
+                     [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    middle[axis] = (*half)[axis];
   }
   return middle;
 }

@@ -61,7 +61,6 @@ SweepTaker::SweepTaker(const world::World& world, const motion::FrameSource& fra
       scanned_(std::make_shared<ScannedWorld>(world, glass)),
       labels_(std::make_shared<const std::vector<LinkLabel>>(std::move(labels))),
       seed_(static_cast<std::uint64_t>(seed)) {
-  for (const LidarRig& lidar : lidars_) plans_.emplace_back(lidar.model);
   for (const world::LinkInstance& link : world_.links()) {
     if (link.object >= 0) {
       object_count_ = std::max(object_count_, static_cast<std::size_t>(link.object) + 1);
@@ -140,18 +139,19 @@ PendingClouds SweepTaker::take(std::int64_t instant,
 
 SweepTaker::MakeCloud SweepTaker::castCloud(std::size_t lidar, std::int64_t instant,
                                             const std::vector<WorldMoment>& moments) const {
-  const FiringPlan& plan = plans_[lidar];
+  FiringPlan plan(lidars_[lidar].model);
   std::vector<Placement> X_GS;
   for (int column = 0; column <= plan.columns(); ++column) {
     X_GS.push_back(lidarAt(lidar, moments, plan.columnTime(column)));
   }
   const auto seed = base::randomSeed(seed_, instant, "lidar " + lidars_[lidar].name);
-  return [scanned = scanned_, labels = labels_, model = lidars_[lidar].model, plan,
-          motion = SweepMotion{moments, world_.presentLinks(), std::move(X_GS),
-                               lidarAt(lidar, moments, Duration{0}).pose()},
-          seed](const Paint& paint, std::vector<base::Warning>& /*warnings*/) {
-    return sweep(*scanned, model, plan, motion, *labels, paint, seed);
-  };
+  return
+      [scanned = scanned_, labels = labels_, model = lidars_[lidar].model, plan = std::move(plan),
+       motion = SweepMotion{moments, world_.presentLinks(), std::move(X_GS),
+                            lidarAt(lidar, moments, Duration{0}).pose()},
+       seed](const Paint& paint, std::vector<base::Warning>& /*warnings*/) {
+        return sweep(*scanned, model, plan, motion, *labels, paint, seed);
+      };
 }
 
 SweepTaker::MakeCloud SweepTaker::recordedCloud(std::size_t lidar,

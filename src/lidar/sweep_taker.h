@@ -70,7 +70,6 @@ class SweepTaker {
   const world::World& world_;
   const motion::FrameSource& frames_;
   const std::vector<LidarRig>& lidars_;
-  std::vector<FiringPlan> plans_;  ///< of lidars_; of recorded ones not used
   std::shared_ptr<const ScannedWorld> scanned_;
   std::shared_ptr<const std::vector<LinkLabel>> labels_;
   std::size_t object_count_ = 0;

@@ -205,7 +205,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
     addOpticalFlow(nullptr);
     passOn(pipeline);
   };
-  arrange(instant, stamp, is_wanted);
+  arrange(instant, stamp, offsets.front(), is_wanted);
   const bool records_rows = row_recorder_.followsAny() && (is_wanted || !drawn_.empty());
   if (sweep_taker_) sweep_taker_->begin(stamp);
   for (const Duration offset : offsets) {
@@ -238,10 +238,11 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
 }
 
 /// Places everything that is placed for each scene, at the time when the first shutter opens.
-void MotionRun::arrange(std::int64_t instant, Stamp stamp, bool is_wanted) {
+/// @param first  of the times around the instant
+void MotionRun::arrange(std::int64_t instant, Stamp stamp, Duration first, bool is_wanted) {
   motion_.variation->choose(instant, *motion_.world);
   motion_.arranger->placeObjects(instant);
-  moveWorld(stamp + offsetsAt(stamp).front());
+  moveWorld(stamp + first);
   // The scene before may wait for where things have gone.
   if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);

@@ -59,7 +59,7 @@ class MotionRun {
   void advanceWorld(Stamp stamp);
   void makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work,
                    ScenePipeline& pipeline);
-  void arrange(std::int64_t instant, Stamp stamp, bool is_wanted);
+  void arrange(std::int64_t instant, Stamp stamp, Duration first, bool is_wanted);
   [[nodiscard]] DrawnScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                 scene::CameraPoses& poses,
                                 const std::vector<std::optional<Pose>>& X_GO);

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
 #include "render/pixels/lanes.h"
+#include "render/shadows/map_depths.h"
 
 namespace synthetic_dataset::render {
 
@@ -41,5 +43,17 @@ struct ChangedTexels {
     return found;
   }
 };
+
+/// Where nothing is known of what was there before.
+/// @param map  all texels
+/// @param reach  columns and rows from its own place within which a surface's light asks for texels
+[[nodiscard]] ChangedTexels allChanged(const cv::Rect& map, const cv::Size& reach,
+                                       const Eigen::Matrix4d& texels_from_world);
+
+/// Where what moves is nearer to the light than what stands.
+/// @param standing  CV_32FC1: the whole map
+[[nodiscard]] ChangedTexels changedBy(const std::vector<MapPiece>& moving, const cv::Mat& standing,
+                                      const cv::Size& reach,
+                                      const Eigen::Matrix4d& texels_from_world);
 
 }  // namespace synthetic_dataset::render

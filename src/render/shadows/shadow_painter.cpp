@@ -7,11 +7,9 @@
 #include <utility>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "render/parts/item_groups.h"
 #include "render/parts/surface_drawing.h"
-#include "render/pixels/lanes.h"
 #include "render/shaders.h"
 #include "render/shadows/shadow_raster.h"
 
@@ -89,48 +87,6 @@ cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
   return {shift, shift};
 }
 
-constexpr int kCell = ChangedTexels::kCell;
-
-int cellOf(int texel) {
-  return texel >= 0 ? texel / kCell : -((kCell - 1 - texel) / kCell);  // towards the negative
-}
-
-/// The cells of some texels.
-cv::Rect cellsOf(const cv::Rect& texels) {
-  return {
-      cv::Point(cellOf(texels.x), cellOf(texels.y)),
-      cv::Point(cellOf(texels.x + texels.width - 1) + 1, cellOf(texels.y + texels.height - 1) + 1)};
-}
-
-/// Marks the cells in which a piece is nearer to the light than what stands.
-/// @param standing  CV_32FC1: the whole map
-/// @param place  of the cells
-void markNearer(const MapPiece& piece, const cv::Mat& standing, const cv::Rect& place,
-                cv::Mat& cells) {
-  static_assert(kCell == kLaneCount);
-  const cv::Rect& texels = piece.texels;
-  const int end = texels.x + texels.width;
-  for (int row = texels.y; row < texels.y + texels.height; ++row) {
-    const float* cast = piece.depths.ptr<float>(row - texels.y) - texels.x;
-    const auto* behind = standing.ptr<float>(row);
-    auto* marked = cells.ptr<unsigned char>(cellOf(row) - place.y) - place.x;
-    for (int cell = cellOf(texels.x); cell * kCell < end; ++cell) {
-      if (marked[cell] != 0) continue;
-      const int first = std::max(cell * kCell, texels.x);
-      const int last = std::min((cell + 1) * kCell, end);
-      bool is_nearer = false;
-      if (last - first == kCell) {
-        is_nearer = cv::v_check_any(cv::v_load(cast + first) < cv::v_load(behind + first));
-      } else {
-        for (int column = first; column < last; ++column) {
-          is_nearer = is_nearer || cast[column] < behind[column];
-        }
-      }
-      if (is_nearer) marked[cell] = 255;
-    }
-  }
-}
-
 /// The texels around a caster's shadow, and a few more.
 /// @param whole  all texels of the map
 cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjection& shadow,
@@ -147,17 +103,6 @@ cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjec
   const Eigen::Vector2i high = texels.max().cwiseMax(0.0).cwiseMin(size).array().ceil().cast<int>();
   const cv::Rect exact(cv::Point(low.x(), low.y()), cv::Point(high.x(), high.y()));
   return widenedBy(exact, {kSlack, kSlack}) & whole;
-}
-
-/// Grown on all sides; where that is far, all of it, which takes less time.
-void grow(cv::Mat& cells, const cv::Size& by) {
-  constexpr int kFar = 16;
-  if (std::max(by.width, by.height) > kFar) {
-    cells.setTo(255);
-    return;
-  }
-  const cv::Size window(2 * by.width + 1, 2 * by.height + 1);
-  cv::dilate(cells, cells, cv::getStructuringElement(cv::MORPH_RECT, window));
 }
 
 }  // namespace
@@ -300,38 +245,10 @@ std::vector<ChangedTexels> ShadowPainter::changedTexels(
 ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
   const Layer& layer = layerOf(shadow);
   const int size = layer.size();
-  ChangedTexels changed;
-  changed.texels_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
+  const Eigen::Matrix4d texels_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   const cv::Size reach = reachOf(shadow, size);
-  const cv::Size cell_reach((reach.width + kCell - 1) / kCell, (reach.height + kCell - 1) / kCell);
-  // Surfaces beside the map may be raised onto it.
-  if (!layer.is_kept) {
-    changed.place = widenedBy(cellsOf(layer.maps->whole()), cell_reach);
-    changed.cells = cv::Mat(changed.place.size(), CV_8UC1, cv::Scalar(255));
-    return changed;
-  }
-  for (const MapPiece& piece : layer.moving) {
-    changed.place |= widenedBy(cellsOf(piece.texels), cell_reach);
-  }
-  changed.cells = cv::Mat::zeros(changed.place.size(), CV_8UC1);
-  const auto boundsOf = [&](const MapPiece& piece) {
-    return widenedBy(cellsOf(piece.texels), cell_reach);
-  };
-  std::vector<cv::Mat> cells(layer.moving.size());
-  cv::parallel_for_(cv::Range(0, static_cast<int>(cells.size())), [&](const cv::Range& some) {
-    for (auto i = static_cast<std::size_t>(some.start); i < static_cast<std::size_t>(some.end);
-         ++i) {
-      const MapPiece& piece = layer.moving[i];
-      cells[i] = cv::Mat::zeros(boundsOf(piece).size(), CV_8UC1);
-      markNearer(piece, layer.standing->depths(), boundsOf(piece), cells[i]);
-      grow(cells[i], cell_reach);
-    }
-  });
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cv::Mat target = changed.cells(boundsOf(layer.moving[i]) - changed.place.tl());
-    target |= cells[i];
-  }
-  return changed;
+  return layer.is_kept ? changedBy(layer.moving, layer.standing->depths(), reach, texels_from_world)
+                       : allChanged(layer.maps->whole(), reach, texels_from_world);
 }
 
 /// Binds it and clears it; what is drawn then casts the shadow.

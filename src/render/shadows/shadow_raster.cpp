@@ -199,7 +199,7 @@ class PieceRaster {
 
   /// The columns of a row that may be within all sides, and a few more: from a whole number of
   /// lanes on.
-  /// @param first  what the sides tell of column 0
+  /// @param first  the sides' values at column 0
   static cv::Range columnsWithin(const std::array<TexelSide, 3>& sides,
                                  const std::array<float, 3>& first, int width) {
     constexpr float kRounding = 1.0F;  // [texel], and more than that of what the lanes find

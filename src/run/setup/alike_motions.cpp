@@ -53,7 +53,7 @@ void checkDistractors(const std::vector<MotionSetup>& motions, base::Diagnostics
     if (!motion.entry.says("randomize/distractors")) continue;
     diagnostics.error(motion.entry.group + "/randomize/distractors",
                       "distractors with a class are objects of the whole "
-                      "dataset; their settings should stand beside motions");
+                      "dataset; their settings should be at the top level, not in a motion");
   }
 }
 

@@ -9,6 +9,7 @@
 #include "base/seconds.h"
 #include "motion/placed_frames.h"
 #include "run/setup/input_cache.h"
+#include "run/setup/open_times.h"
 #include "run/setup/recorded_scenes.h"
 #include "run/setup/recording_setup.h"
 #include "run/setup/scene_plan.h"
@@ -53,7 +54,8 @@ class MotionBuilder {
     findPictures();
     arrangeScenes();
     planScenes();
-    checkPictures();
+    checkOpenTimes(setup_);
+    checkRecorded();
     reportSource();
     return std::move(setup_);
   }
@@ -231,9 +233,7 @@ class MotionBuilder {
       if (rig->sampled && isTaken(rig->frame, camera)) continue;
       if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
       if (rig->looks_at) rig->looks_at->centres_O = middlesOf(rig->looks_at->object);
-      if (!config().hasRecordedTimes()) checkShutter(camera, *rig);
-      noteBlindLens(camera, *rig);
-      noteFarAxis(camera, *rig);
+      noteStrangeLens(camera, rig->model, diagnostics());
       setup_.cameras.push_back(std::move(*rig));
     }
     if (setup_.frames) scene::placeStereoPairs(setup_.cameras, *setup_.frames, diagnostics());
@@ -255,7 +255,6 @@ class MotionBuilder {
         return lidar::makeLidarRig(lidar, around_lidars_, *setup_.frames, diagnostics(), recorded);
       });
       if (!rig) continue;
-      checkSweep(*rig);
       if (lidar.frame.empty() && isTaken(*rig)) continue;
       lidar.frame = rig->frame;
       setup_.lidars.push_back(std::move(*rig));
@@ -282,20 +281,6 @@ class MotionBuilder {
                             "', which is also that of a camera or another lidar; each should have "
                             "its own");
     return true;
-  }
-
-  /// As checkShutter: a sweep has to end before the next one begins.
-  void checkSweep(const lidar::LidarRig& lidar) {
-    const Duration sweep = lidar::sweepTime(lidar.model);
-    const Duration period = shortestPeriod(config());
-    if (sweep <= period || config().hasRecordedTimes()) return;
-    diagnostics().error(
-        lidar.group + "/rate",
-        "found " + Value(lidar.model.rate).text() + " Hz, at which a sweep takes " +
-            fixed(toSeconds(sweep), 4) + " s; it should be at most the " +
-            fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
-            (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)"
-                                                : ")"));
   }
 
   /// Scenes of recorded pictures are at their times, whatever the setting of the rate.
@@ -330,8 +315,8 @@ class MotionBuilder {
     });
   }
 
-  void checkPictures() {
-    if (config().hasRecordedTimes()) checkOpenTimes();
+  /// Pictures and clouds of the recording that the scenes have.
+  void checkRecorded() {
     if (setup_.world && !setup_.timeline.stamps.empty()) {
       checkClouds(setup_.lidars, setup_.timeline.stamps, *setup_.world, diagnostics());
     }
@@ -340,32 +325,6 @@ class MotionBuilder {
                       setup_.pictures->problems(setup_.timeline.stamps, setup_.cameras));
     if (setup_.surfaces && !setup_.timeline.stamps.empty()) {
       setup_.surfaces->check(setup_.timeline.stamps, diagnostics());
-    }
-  }
-
-  /// As checkShutter, of what is drawn or measured at the times of what was recorded.
-  void checkOpenTimes() {
-    Duration shortest = Duration::max();
-    const std::vector<Stamp>& stamps = setup_.timeline.stamps;
-    for (std::size_t i = 1; i < stamps.size(); ++i) {
-      shortest = std::min(shortest, stamps[i] - stamps[i - 1]);
-    }
-    const std::string recorded = config().isTwin() ? "pictures" : "clouds";
-    for (const lidar::LidarRig& lidar : setup_.lidars) {
-      const Duration sweep = lidar::sweepTime(lidar.model);
-      if (lidar.recorded || sweep <= shortest) continue;
-      diagnostics().error(lidar.group + "/rate", "found a sweep of " + fixed(toSeconds(sweep), 4) +
-                                                     " s; it should be at most the " +
-                                                     fixed(toSeconds(shortest), 4) +
-                                                     " s between two recorded " + recorded);
-    }
-    for (std::size_t i = 0; i < setup_.cameras.size(); ++i) {
-      const Duration open = scene::openTime(setup_.cameras[i].shutter);
-      if (open <= shortest) continue;
-      diagnostics().error(config().cameras[i].group + "/effects",
-                          "found exposure_time + readout_time of " + fixed(toSeconds(open), 4) +
-                              " s; it should be at most the " + fixed(toSeconds(shortest), 4) +
-                              " s between two recorded " + recorded);
     }
   }
 
@@ -393,45 +352,6 @@ class MotionBuilder {
                         "found '" + frame + "', which is also the frame of " + owner +
                             "; a camera that is put somewhere needs a frame of its own");
     return true;
-  }
-
-  /// Physics goes forward only, so a picture has to be exposed before the next one begins.
-  void checkShutter(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
-    const Duration period = shortestPeriod(config());
-    if (scene::openTime(rig.shutter) <= period) return;
-    diagnostics().error(
-        camera.group + "/effects",
-        "found exposure_time + readout_time of " +
-            fixed(toSeconds(scene::openTime(rig.shutter)), 4) + " s; it should be at most the " +
-            fixed(toSeconds(period), 4) + " s from one scene to the next (simulated_rate" +
-            (config().randomization.time_jitter ? ", less the range of randomize/time/jitter)"
-                                                : ")"));
-  }
-
-  /// Intrinsics of another resolution have their principal point elsewhere. Only what is cut out of
-  /// a sensor's picture may have it far from the middle.
-  void noteFarAxis(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
-    constexpr double kFar = 0.2;  // of the image's size
-    const CameraModel& model = rig.model;
-    const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
-    const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();
-    if (std::abs(across) <= kFar * model.width() && std::abs(down) <= kFar * model.height()) return;
-    diagnostics().warning(camera.group, "the principal point (" + fixed(model.intrinsics().cx, 1) +
-                                            ", " + fixed(model.intrinsics().cy, 1) +
-                                            ") is far from the middle of an image of " +
-                                            std::to_string(model.width()) + " x " +
-                                            std::to_string(model.height()) +
-                                            " (is the calibration that of another resolution?)");
-  }
-
-  void noteBlindLens(const scene::CameraOptions& camera, const scene::CameraRig& rig) {
-    constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
-    const double share = scene::seenShare(rig.model);
-    if (share >= kLittle) return;
-    diagnostics().warning(camera.group,
-                          "its lens sees something in only " + fixed(100.0 * share, 0) +
-                              " % of the image; the rest is black (are the distortion's numbers "
-                              "right?)");
   }
 
   void arrangeScenes() {

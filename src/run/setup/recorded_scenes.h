@@ -17,8 +17,8 @@ namespace synthetic_dataset::run {
                                                   base::Diagnostics& diagnostics);
 
 /// Notes clouds that cannot be read, and sweeps that begin while the one of the scene before goes
-/// on, where physics moves something: it goes forward alone. What overlaps by less than 5 ms, as
-/// stamps are not exact, is measured as the world stands at the end of the scene before.
+/// on, where physics moves something: it goes forward alone. Stamps are not exact, so an
+/// overlap of less than 5 ms is allowed: the world then stays as the scene before has left it.
 /// @param scenes  ascending
 void checkClouds(const std::vector<lidar::LidarRig>& lidars, const std::vector<Stamp>& scenes,
                  const world::World& world, base::Diagnostics& diagnostics);

@@ -79,11 +79,8 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
     if (!isIn(left_out, name)) settings.insert({name, {base::jsonText(value), true}});
   }
   // Frames of recorded clouds, which verify and merge could not know otherwise.
-  const bool any_recorded =
-      std::any_of(config.lidars.begin(), config.lidars.end(),
-                  [](const lidar::LidarOptions& each) { return each.recorded.has_value(); });
   for (const lidar::LidarOptions& lidar : config.lidars) {
-    if (!any_recorded) break;
+    if (!lidar.recorded) continue;
     settings.insert(
         {"lidars/" + lidar.name + "/frame_id", {base::jsonText(Value(lidar.frame)), true}});
   }

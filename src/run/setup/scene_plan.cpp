@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "base/name_list.h"
@@ -81,11 +80,10 @@ void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids,
     return std::any_of(ids.begin(), ids.end(), isLost) ||
            std::any_of(sometimes.begin(), sometimes.end(), changes);
   };
-  const std::optional<Stamp> any =
-      timeline.stamps.empty() ? std::nullopt : std::optional(timeline.stamps.front());
+  if (timeline.stamps.empty()) return;
+  const auto [first, last] = open(timeline.stamps.front());
   leaveOut(is_half_exposed, timeline);
-  if (timeline.stamps.empty() && any) {
-    const auto [first, last] = open(*any);
+  if (timeline.stamps.empty()) {
     throw Error(
         "effects/exposure_time, readout_time, lidars: no scene of the recording is known over "
         "its whole exposure, or sweep, of " +

@@ -1,6 +1,7 @@
 #include "run/setup/setup_notes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "label/pixel_labeller.h"
@@ -118,6 +119,28 @@ void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
                             metres(model) +
                             " (are they in metres, and in the frame of the object?)");
   }
+}
+
+void noteStrangeLens(const scene::CameraOptions& camera, const CameraModel& model,
+                     base::Diagnostics& diagnostics) {
+  constexpr double kLittle = 0.25;  // a fisheye's circle in a wide image fills more than this
+  if (const double share = scene::seenShare(model); share < kLittle) {
+    diagnostics.warning(camera.group,
+                        "its lens sees something in only " + fixed(100.0 * share, 0) +
+                            " % of the image; the rest is black (are the distortion's numbers "
+                            "right?)");
+  }
+  // Only what is cut out of a sensor's picture may have its principal point far from the middle.
+  constexpr double kFar = 0.2;  // of the image's size
+  const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
+  const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();
+  if (std::abs(across) <= kFar * model.width() && std::abs(down) <= kFar * model.height()) return;
+  diagnostics.warning(camera.group, "the principal point (" + fixed(model.intrinsics().cx, 1) +
+                                        ", " + fixed(model.intrinsics().cy, 1) +
+                                        ") is far from the middle of an image of " +
+                                        std::to_string(model.width()) + " x " +
+                                        std::to_string(model.height()) +
+                                        " (is the calibration that of another resolution?)");
 }
 
 }  // namespace synthetic_dataset::run

@@ -19,4 +19,8 @@ void noteWhatMaySurprise(RunSetup& setup);
 void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
                 base::Diagnostics& diagnostics);
 
+/// Warns of intrinsics of another resolution, and of a lens that sees next to nothing.
+void noteStrangeLens(const scene::CameraOptions& camera, const CameraModel& model,
+                     base::Diagnostics& diagnostics);
+
 }  // namespace synthetic_dataset::run
