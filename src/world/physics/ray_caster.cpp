@@ -1,5 +1,6 @@
 #include "world/physics/ray_caster.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -22,24 +23,71 @@ struct Target {
   std::unique_ptr<btCollisionObject> object;
 };
 
-/// Bullet's nearest hit, and which triangle it was.
-struct NearestTriangle final : btCollisionWorld::ClosestRayResultCallback {
-  using ClosestRayResultCallback::ClosestRayResultCallback;
-  btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool in_world) override {
-    if (result.m_localShapeInfo != nullptr) triangle = result.m_localShapeInfo->m_triangleIndex;
-    return ClosestRayResultCallback::addSingleResult(result, in_world);
-  }
-  int triangle = -1;
-};
+using Corners = std::array<Eigen::Vector3d, 3>;
 
-std::array<Eigen::Vector3d, 3> cornersOf(const Target& target, int triangle) {
-  std::array<Eigen::Vector3d, 3> corners;
+Corners cornersOf(const Target& target, int triangle) {
+  Corners corners;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t index = target.mesh->indices[3 * static_cast<std::size_t>(triangle) + i];
     corners[i] = target.X_WV * Eigen::Vector3d(target.mesh->positions[index].cast<double>());
   }
   return corners;
 }
+
+struct Ray {
+  Eigen::Vector3d p_W;
+  Eigen::Vector3d direction_W;
+};
+
+/// Whether all edges go round the ray the same way.
+bool passesThrough(const Ray& ray, const Corners& corners) {
+  std::array<double, 3> sides;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d a = corners[i] - ray.p_W;
+    const Eigen::Vector3d b = corners[(i + 1) % 3] - ray.p_W;
+    sides[i] = ray.direction_W.dot(a.cross(b));
+  }
+  const auto [least, most] = std::minmax_element(sides.begin(), sides.end());
+  return *least >= 0.0 || *most <= 0.0;
+}
+
+/// Bullet's nearest hit of those that are hits in double precision, too: Bullet's own triangles
+/// reach a ten-thousandth of their size beyond their edges.
+class NearestTriangle final : public btCollisionWorld::ClosestRayResultCallback {
+ public:
+  NearestTriangle(const std::vector<Target>& targets, const Ray& ray, double range)
+      : ClosestRayResultCallback(toBullet(ray.p_W),
+                                 toBullet(Eigen::Vector3d(ray.p_W + range * ray.direction_W))),
+        targets_(targets),
+        ray_(ray) {}
+
+  btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool in_world) override {
+    const auto index = static_cast<std::size_t>(result.m_collisionObject->getUserIndex());
+    const Corners corners = cornersOf(targets_[index], result.m_localShapeInfo->m_triangleIndex);
+    if (!passesThrough(ray_, corners)) return m_closestHitFraction;
+    target_ = &targets_[index];
+    corners_ = corners;
+    return ClosestRayResultCallback::addSingleResult(result, in_world);
+  }
+
+  /// Nothing where no triangle is hit.
+  [[nodiscard]] std::optional<RayHit> hit() const {
+    if (target_ == nullptr) return std::nullopt;
+    const auto& [a, b, c] = corners_;
+    RayHit hit;
+    hit.link = target_->link;
+    hit.normal_W = (b - a).cross(c - a).normalized();
+    if (hit.normal_W.dot(ray_.direction_W) > 0.0) hit.normal_W = -hit.normal_W;
+    hit.distance = hit.normal_W.dot(a - ray_.p_W) / hit.normal_W.dot(ray_.direction_W);
+    return hit;
+  }
+
+ private:
+  const std::vector<Target>& targets_;
+  const Ray& ray_;
+  const Target* target_ = nullptr;
+  Corners corners_;
+};
 
 }  // namespace
 
@@ -93,22 +141,10 @@ void RayCaster::setLinkPoses(const std::vector<Pose>& X_WL) {
 
 std::optional<RayHit> RayCaster::cast(const Eigen::Vector3d& p_W,
                                       const Eigen::Vector3d& direction_W, double range) const {
-  const Eigen::Vector3d direction = direction_W.normalized();
-  const btVector3 from = toBullet(p_W);
-  const btVector3 to = toBullet(Eigen::Vector3d(p_W + range * direction));
-  NearestTriangle nearest(from, to);
-  impl_->world.rayTest(from, to, nearest);
-  if (!nearest.hasHit()) return std::nullopt;
-
-  const auto index = static_cast<std::size_t>(nearest.m_collisionObject->getUserIndex());
-  const Target& target = impl_->targets[index];
-  const auto [a, b, c] = cornersOf(target, nearest.triangle);
-  RayHit hit;
-  hit.link = target.link;
-  hit.normal_W = (b - a).cross(c - a).normalized();
-  if (hit.normal_W.dot(direction) > 0.0) hit.normal_W = -hit.normal_W;
-  hit.distance = hit.normal_W.dot(a - p_W) / hit.normal_W.dot(direction);
-  return hit;
+  const Ray ray{p_W, direction_W.normalized()};
+  NearestTriangle nearest(impl_->targets, ray, range);
+  impl_->world.rayTest(nearest.m_rayFromWorld, nearest.m_rayToWorld, nearest);
+  return nearest.hit();
 }
 
 }  // namespace synthetic_dataset::world

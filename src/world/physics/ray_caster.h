@@ -21,7 +21,8 @@ struct RayHit {
 /// Casts rays against the triangles of the links' visuals: what a camera would see, found without
 /// drawing anything. Triangles are hit from both sides.
 ///
-/// Bullet finds the triangle; where the ray meets its plane is computed in double precision.
+/// Bullet finds the triangles near the ray; whether it passes through them, and where, is computed
+/// in double precision.
 class RayCaster {
  public:
   /// @param links  their Link objects have to outlive this

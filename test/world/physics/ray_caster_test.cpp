@@ -51,6 +51,30 @@ TEST(RayCaster, FollowsASphere) {
   EXPECT_FALSE(caster.cast({1.01, 0, 0}, {0, 0, 1}, 100.0));
 }
 
+TEST(RayCaster, SeesJustPastAnEdge) {
+  // A hundredth of a millimetre beside a box of 8 m, in front of another box.
+  const Link box = visualLink(weldedBoxMesh({8, 8, 8}));
+  const std::vector<LinkInstance> links(2, {&box, Role::kStatic, -1});
+  const RayCaster caster(links, {at(10, 0, 0), at(20, 0, 1)});
+
+  EXPECT_EQ(caster.cast({0, 0.3, 4 - 1e-5}, {1, 0, 0}, 100.0)->link, 0U);
+  EXPECT_EQ(caster.cast({0, 0.3, 4 + 1e-5}, {1, 0, 0}, 100.0)->link, 1U);
+}
+
+TEST(RayCaster, FindsNoGapBetweenTriangles) {
+  const Link ball = visualLink(sphereMesh(1.0, 24));
+  const RayCaster caster({{&ball, Role::kStatic, -1}}, {turnedAt({0, 0, 0}, 0.7, {1, 2, 3})});
+
+  for (const Surface& surface : ball.visuals[0].surfaces) {
+    for (std::size_t i = 1; i < surface.mesh->positions.size(); ++i) {
+      const Eigen::Vector3d middle = 0.5 * (surface.mesh->positions[i - 1].cast<double>() +
+                                            surface.mesh->positions[i].cast<double>());
+      const Eigen::Vector3d target = turnedAt({0, 0, 0}, 0.7, {1, 2, 3}) * middle;
+      EXPECT_TRUE(caster.cast(Eigen::Vector3d::Zero(), target, 100.0)) << i;
+    }
+  }
+}
+
 TEST(RayCaster, NamesTheNearestLink) {
   const Link box = visualLink(weldedBoxMesh({1, 1, 1}));
   const std::vector<LinkInstance> links(3, {&box, Role::kStatic, -1});
