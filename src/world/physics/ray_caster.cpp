@@ -39,7 +39,7 @@ struct Ray {
   Eigen::Vector3d direction_W;
 };
 
-/// Whether all edges go round the ray the same way.
+/// Whether the ray's line goes through the triangle: it lies on the same side of all three edges.
 bool passesThrough(const Ray& ray, const Corners& corners) {
   std::array<double, 3> sides;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -51,8 +51,18 @@ bool passesThrough(const Ray& ray, const Corners& corners) {
   return *least >= 0.0 || *most <= 0.0;
 }
 
-/// Bullet's nearest hit of those that are hits in double precision, too: Bullet's own triangles
-/// reach a ten-thousandth of their size beyond their edges.
+RayHit hitOf(const Ray& ray, const Corners& corners, std::size_t link) {
+  const auto& [a, b, c] = corners;
+  RayHit hit;
+  hit.link = link;
+  hit.normal_W = (b - a).cross(c - a).normalized();
+  if (hit.normal_W.dot(ray.direction_W) > 0.0) hit.normal_W = -hit.normal_W;
+  hit.distance = hit.normal_W.dot(a - ray.p_W) / hit.normal_W.dot(ray.direction_W);
+  return hit;
+}
+
+/// The nearest of Bullet's hits that are hits in double precision, too: for Bullet, a triangle
+/// reaches a ten-thousandth of its size beyond its edges.
 class NearestTriangle final : public btCollisionWorld::ClosestRayResultCallback {
  public:
   NearestTriangle(const std::vector<Target>& targets, const Ray& ray, double range)
@@ -62,31 +72,20 @@ class NearestTriangle final : public btCollisionWorld::ClosestRayResultCallback 
         ray_(ray) {}
 
   btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool in_world) override {
-    const auto index = static_cast<std::size_t>(result.m_collisionObject->getUserIndex());
-    const Corners corners = cornersOf(targets_[index], result.m_localShapeInfo->m_triangleIndex);
+    const Target& target =
+        targets_[static_cast<std::size_t>(result.m_collisionObject->getUserIndex())];
+    const Corners corners = cornersOf(target, result.m_localShapeInfo->m_triangleIndex);
     if (!passesThrough(ray_, corners)) return m_closestHitFraction;
-    target_ = &targets_[index];
-    corners_ = corners;
+    hit_ = hitOf(ray_, corners, target.link);
     return ClosestRayResultCallback::addSingleResult(result, in_world);
   }
 
-  /// Nothing where no triangle is hit.
-  [[nodiscard]] std::optional<RayHit> hit() const {
-    if (target_ == nullptr) return std::nullopt;
-    const auto& [a, b, c] = corners_;
-    RayHit hit;
-    hit.link = target_->link;
-    hit.normal_W = (b - a).cross(c - a).normalized();
-    if (hit.normal_W.dot(ray_.direction_W) > 0.0) hit.normal_W = -hit.normal_W;
-    hit.distance = hit.normal_W.dot(a - ray_.p_W) / hit.normal_W.dot(ray_.direction_W);
-    return hit;
-  }
+  [[nodiscard]] const std::optional<RayHit>& hit() const { return hit_; }
 
  private:
   const std::vector<Target>& targets_;
   const Ray& ray_;
-  const Target* target_ = nullptr;
-  Corners corners_;
+  std::optional<RayHit> hit_;
 };
 
 }  // namespace
