@@ -27,6 +27,7 @@ from rows import ROWS
 from table import table
 
 GENERATE = ('rosrun', 'synthetic_dataset', 'generate')
+FEW = 20  # pictures, with which the rarest of the preset's motions has one
 
 
 class Failure(Exception):
@@ -81,7 +82,7 @@ class Benchmark:
         pathlib.Path(folder, 'camera.yaml').write_text(settings.camera(), 'utf-8')
         made = wanted = settings.of(row, self._arguments.model, self._arguments.scenes)
         if row.motions:
-            self._generated(f'{folder}/preset.yaml', {**wanted, 'scenes': 4}, f'{folder}/preset')
+            self._generated(f'{folder}/preset.yaml', {**wanted, 'scenes': FEW}, f'{folder}/preset')
             made = settings.with_motions(wanted, settings.spelled_out_in(f'{folder}/preset'), row.motions)
         began = time.monotonic()
         new = self._generated(f'{folder}/settings.yaml', made, f'{folder}/dataset')

@@ -26,6 +26,8 @@ open({log!r}, 'a').write('generate ' + os.path.basename(os.path.dirname(sys.argv
 if given['object_1']['model'] == 'broken':
     sys.exit(chr(27) + '[31mno such model')
 folder = given['output_folder']
+if folder.endswith('/preset') and given['scenes'] < 9:
+    sys.exit('motions/1/weight: less than one scene')
 os.makedirs(folder, exist_ok=True)
 if os.path.exists(folder + '/manifest.sqlite'):
     if sys.argv[3].endswith('resume'):
