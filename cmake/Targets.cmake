@@ -14,12 +14,16 @@ function(synthetic_dataset_unity target)
   endif()
 endfunction()
 
+set(synthetic_dataset_rarely_run $<$<CONFIG:RelWithDebInfo>:-O1> $<$<CONFIG:RelWithDebInfo>:-g0>)
+
 # One room of the core: a static library of all sources in a folder, that no other package links.
 #   synthetic_dataset_room(motion LIBRARIES x)
 # EXCLUDE names sources that are not of the library. Libraries that are not ours are named as
 # SYSTEM_INCLUDES' owners do: their headers are exempt from our warnings.
+# RARELY_RUN: its code runs once a run or a scene, not once a pixel, so that to optimise it takes
+# longer than it saves.
 function(synthetic_dataset_room name)
-  cmake_parse_arguments(ARG "" "" "EXCLUDE;LIBRARIES;SYSTEM_INCLUDES" ${ARGN})
+  cmake_parse_arguments(ARG "RARELY_RUN" "" "EXCLUDE;LIBRARIES;SYSTEM_INCLUDES" ${ARGN})
   file(GLOB_RECURSE sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *.cpp)
   if(ARG_EXCLUDE)
     list(REMOVE_ITEM sources ${ARG_EXCLUDE})
@@ -31,5 +35,10 @@ function(synthetic_dataset_room name)
   target_link_libraries(synthetic_dataset_${name} PUBLIC synthetic_dataset ${ARG_LIBRARIES})
   synthetic_dataset_warnings(synthetic_dataset_${name})
   synthetic_dataset_unity(synthetic_dataset_${name})
-  synthetic_dataset_use_precompiled(synthetic_dataset_${name} core)
+  if(ARG_RARELY_RUN)
+    target_compile_options(synthetic_dataset_${name} PRIVATE ${synthetic_dataset_rarely_run})
+    synthetic_dataset_use_precompiled(synthetic_dataset_${name} rarely_run)
+  else()
+    synthetic_dataset_use_precompiled(synthetic_dataset_${name} core)
+  endif()
 endfunction()
