@@ -70,7 +70,7 @@ class InstallSpace(unittest.TestCase):
 
     @classmethod
     def build_external_package(cls):
-        workspace = cls.scratch / 'workspace'
+        workspace = cls.workspace = cls.scratch / 'workspace'
         shutil.copytree(PACKAGE, workspace / 'src' / PACKAGE.name)
         code, log = cls.run_installed(
             'catkin_make', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
@@ -92,6 +92,13 @@ class InstallSpace(unittest.TestCase):
     def table(self):
         with open(self.dataset / 'boxes' / 'boxes.csv', encoding='utf-8', newline='') as file:
             return list(csv.DictReader(file))
+
+    def test_its_own_tests_pass(self):
+        code, text = self.run_installed('catkin_make', 'run_tests_box_table_writer', folder=self.workspace)
+        self.assertEqual(code, 0, text)
+        code, text = self.run_installed('catkin_test_results', 'build/test_results/box_table_writer', folder=self.workspace)
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, 'Summary: [1-9][0-9]* tests, 0 errors, 0 failures')
 
     def test_dataset_is_complete(self):
         self.assertTrue((self.dataset / 'manifest.sqlite').exists(), self.log)
@@ -159,7 +166,7 @@ class Documentation(unittest.TestCase):
                  re.findall(r'^### (\S+)\n(?:(?!###? |```)[^\n]*\n)*?```\w+\n(.*?)^```$', text,
                             re.MULTILINE | re.DOTALL)}
         files = [path for path in PACKAGE.rglob('*') if path.is_file()]
-        self.assertEqual(len(files), 5)
+        self.assertEqual(len(files), 6)
         for path in files:
             name = str(path.relative_to(PACKAGE))
             with self.subTest(name):

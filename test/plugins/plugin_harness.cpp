@@ -8,11 +8,6 @@
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
-namespace {
-
-const cv::Size kImageSize(640, 480);
-
-}  // namespace
 
 void PluginTest::SetUpTestSuite() { test::preparePluginEnvironment(); }
 
@@ -22,37 +17,6 @@ output::WriterHost& PluginTest::load(const Value::Map& parameters) {
       std::vector<output::WriterOptions>{{"w", type_, folder(), parameters_}}, dataset_,
       std::vector<std::string>{test::pluginXml(), test::examplePluginXml()});
   return *host_;
-}
-
-Scene PluginTest::scene(std::int64_t index, std::vector<SceneObject> objects) {
-  Scene scene(camera());
-  scene.index = index;
-  scene.instant = index;
-  scene.name = sceneNumber(index);
-  scene.camera_name = "camera";
-  scene.stamp = Stamp{index};
-  scene.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(50));
-  cv::Mat instance_map(480, 640, CV_16UC1, cv::Scalar(0));
-  cv::Mat class_map(480, 640, CV_16UC1, cv::Scalar(0));
-  cv::Mat depth(480, 640, CV_32FC1, cv::Scalar(0));
-  for (SceneObject& each : objects) {
-    each.instance = static_cast<int>(scene.objects.size()) + 1;
-    const cv::Mat visible = each.visible_mask().whole();
-    instance_map.setTo(each.instance, visible);
-    class_map.setTo(each.class_id + 1, visible);
-    depth.setTo(each.X_CO->translation().z(), visible);
-    scene.objects.push_back(std::move(each));
-  }
-  scene.instance_map = instance_map;
-  scene.class_map = class_map;
-  scene.world_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
-  scene.part_map = cv::Mat(480, 640, CV_16UC1, cv::Scalar(0));
-  scene.depth = depth;
-  scene.setTransforms([](const std::string& target, const std::string& source) -> Pose {
-    if (target == source) return Pose::Identity();
-    throw Error("no transform from " + source + " to " + target);
-  });
-  return scene;
 }
 
 void PluginTest::addLidar() { dataset_.lidars.push_back({"top", "top/lidar_link"}); }
@@ -102,34 +66,9 @@ std::vector<Scene> PluginTest::ofTwoCamerasAndSplits(
   return scenes;
 }
 
-CameraModel PluginTest::camera() { return {640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0}; }
-
 Scene PluginTest::zoomed(Scene scene, double focal_length) {
   scene.camera = CameraModel(640, 480, {focal_length, focal_length, 320.0, 240.0}, 0.05, 100.0);
   return scene;
-}
-
-SceneObject PluginTest::object(const std::string& name) {
-  SceneObject object;
-  object.name = name;
-  object.class_name = object.class_text = name + "_class";
-  object.id = name + "_id";
-  object.X_GO->translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
-  object.X_CO = object.X_GO;
-  object.in_view = true;
-  object.silhouette = Mask(kImageSize);
-  object.silhouette_box = std::nullopt;
-  object.pixels.silhouette = object.pixels.silhouette_in_image = 0;
-  object.truncation = 0.0;
-  return hidden(object);
-}
-
-SceneObject PluginTest::hidden(SceneObject object) {
-  object.visible_mask = Mask(kImageSize);
-  object.visible_box = std::nullopt;
-  object.pixels.visible = 0;
-  object.visibility = 0.0;
-  return object;
 }
 
 PixelCounts PluginTest::counts(std::int64_t silhouette, std::int64_t in_image,
@@ -156,27 +95,10 @@ Keypoint PluginTest::keypoint(const std::optional<Eigen::Vector2d>& pixel, doubl
   return keypoint;
 }
 
-SceneObject PluginTest::seen(const std::string& name, const cv::Rect& pixels) {
-  SceneObject object = PluginTest::object(name);
-  object.cuboid_O = {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
-  const cv::Rect visible = pixels & cv::Rect(0, 0, 640, 480);
-  object.silhouette = painted(object.silhouette(), visible, true);
-  object.visible_mask = painted(object.visible_mask(), visible, true);
-  const auto edges = [](const cv::Rect& r) {
-    return Box{r.x - 0.5, r.y - 0.5, r.br().x - 0.5, r.br().y - 0.5};
-  };
-  object.loose_box = edges(pixels);
-  object.silhouette_box = object.loose_box;
-  if (!visible.empty()) object.visible_box = edges(visible);
-  object.pixels = counts(pixels.area(), visible.area(), visible.area());
-  object.visibility = static_cast<double>(visible.area()) / pixels.area();
-  object.truncation = 1.0 - object.visibility();
-  return object;
-}
-
-PluginTest::PluginTest(std::string type) : type_(std::move(type)) {
-  dataset_.global_frame = "map";
-  dataset_.cameras = {{"camera", "camera/optical_link", camera()}};
+PluginTest::PluginTest(std::string type) : dataset_(handMadeDataset({})), type_(std::move(type)) {
+  // How many scenes there are, and of which motions, is what a test says.
+  dataset_.scene_count = 0;
+  dataset_.motions.clear();
 }
 
 std::map<std::string, std::string> PluginTest::filesOf(const Scene& scene) const {

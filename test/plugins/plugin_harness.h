@@ -10,15 +10,13 @@
 
 #include "output/writers/writer_host.h"
 #include "support/temporary_folder.h"
+#include "synthetic_dataset/hand_made.h"
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/scene.h"
 
 namespace synthetic_dataset {
 
-/// Loads one writer as users do, from the plugin library, and gives it scenes.
-///
-/// The camera has an image of 640 x 480, f = 500 px, its centre at (320, 240) and looks along the
-/// global frame's z axis from its origin.
+/// Loads one writer as users do, from the plugin library, and gives it hand-made scenes.
 class PluginTest : public testing::Test {
  protected:
   explicit PluginTest(std::string type);
@@ -28,9 +26,11 @@ class PluginTest : public testing::Test {
   /// Loads the writer with these parameters, under the name `w`.
   output::WriterHost& load(const Value::Map& parameters);
 
-  [[nodiscard]] static Scene scene(std::int64_t index, std::vector<SceneObject> objects);
+  [[nodiscard]] static Scene scene(std::int64_t index, std::vector<SceneObject> objects) {
+    return handMadeScene(index, std::move(objects));
+  }
 
-  [[nodiscard]] static CameraModel camera();
+  [[nodiscard]] static CameraModel camera() { return handMadeCamera(); }
 
   /// The same scene as a camera of another focal length [px] has it.
   [[nodiscard]] static Scene zoomed(Scene scene, double focal_length);
@@ -41,12 +41,11 @@ class PluginTest : public testing::Test {
   /// The scene with a cloud of two points of each object and one of the world.
   [[nodiscard]] static Scene withCloud(Scene scene);
 
-  /// An object at p_GO = (0, 0, 10) without turn, in view, with nothing to be seen.
-  [[nodiscard]] static SceneObject object(const std::string& name);
+  [[nodiscard]] static SceneObject object(const std::string& name) { return handMadeObject(name); }
 
-  /// The same with all measures of one that covers these pixels and no other object hides; a cube
-  /// of one metre.
-  [[nodiscard]] static SceneObject seen(const std::string& name, const cv::Rect& pixels);
+  [[nodiscard]] static SceneObject seen(const std::string& name, const cv::Rect& pixels) {
+    return handMadeObject(name, pixels);
+  }
 
   /// The mask with all pixels of a rectangle on or off it.
   [[nodiscard]] static Mask painted(const Mask& mask, const cv::Rect& pixels, bool on);
@@ -56,9 +55,6 @@ class PluginTest : public testing::Test {
 
   [[nodiscard]] static PixelCounts counts(std::int64_t silhouette, std::int64_t in_image,
                                           std::int64_t visible);
-
-  /// The object as one of which no pixel is visible.
-  [[nodiscard]] static SceneObject hidden(SceneObject object);
 
   /// Two scenes of each of two cameras, the first in `train` and the second in `test`; the writer
   /// is told of them.

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace synthetic_dataset::output {
-
-/// Why a writer's path of a file in its folder cannot be used; nothing when it can.
-/// A good one is relative, normalised, stays in the folder and fits every file system of Linux.
-[[nodiscard]] std::optional<std::string> relativePathProblem(std::string_view path);
 
 /// The path from the root and without `.` and `..`; symbolic links are left as they are.
 [[nodiscard]] std::string absolutePath(const std::string& path);

@@ -2,6 +2,7 @@
 
 #include "output/files/file_name_rules.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/relative_path.h"
 
 namespace synthetic_dataset::output {
 

@@ -6,6 +6,7 @@
 #include "base/image/png_encoder.h"
 #include "output/files/file_name_rules.h"
 #include "synthetic_dataset/errors.h"
+#include "synthetic_dataset/relative_path.h"
 
 namespace synthetic_dataset::output {
 
@@ -18,7 +19,7 @@ std::string ClaimedPaths::claim(const std::string& path) {
 }
 
 std::string ClaimedPaths::absolute(const std::string& path) const {
-  if (const auto problem = output::relativePathProblem(path)) {
+  if (const auto problem = relativePathProblem(path)) {
     throw Error("the path '" + path + "' cannot be used: " + *problem);
   }
   return folder_ + path;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "synthetic_dataset/label_writer.h"
+
+namespace synthetic_dataset {
+inline namespace v2 {
+
+// Scenes made by hand, to test a writer without a world: each measure of them is known beforehand.
+// TestedWriter gives them to a writer.
+
+/// 640 x 480 px, f = 500 px, its centre at (320, 240) px, from 0.05 to 100 m.
+[[nodiscard]] CameraModel handMadeCamera();
+
+/// An object of the class "<name>_class" with the number 0 and the id "<name>_id", in view at
+/// p_GO = p_CO = (0, 0, 10) m without turn, but with no pixel to be seen. No keypoints.
+[[nodiscard]] SceneObject handMadeObject(const std::string& name);
+
+/// The same with all measures of a cube of one metre that covers these pixels and that nothing
+/// hides. What of them lies outside of the image is truncated.
+[[nodiscard]] SceneObject handMadeObject(const std::string& name, const cv::Rect& pixels);
+
+/// The object as one of which no pixel is visible; its silhouette stays.
+[[nodiscard]] SceneObject hidden(SceneObject object);
+
+/// A scene of handMadeCamera(), which looks along the global frame's z axis from its origin: a grey
+/// image, and all that can be required but normals, optical flow and clouds, which a test sets
+/// where it wants them. Its frames are not connected (Scene::setTransforms).
+/// @param index  of the scene and its instant
+/// @param objects  become Scene::objects in this order, with their instances; a later one lies over
+///     an earlier one in the maps and in depth, while masks stay as they are
+[[nodiscard]] Scene handMadeScene(std::int64_t index, std::vector<SceneObject> objects);
+
+/// What a writer is told of a dataset of one handMadeScene(): one camera, "camera", and these
+/// objects and their classes.
+[[nodiscard]] DatasetInfo handMadeDataset(const std::vector<SceneObject>& objects);
+
+}  // namespace v2
+}  // namespace synthetic_dataset
