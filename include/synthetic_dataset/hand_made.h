@@ -23,6 +23,7 @@ inline namespace v2 {
 
 /// The same with all measures of a cube of one metre that covers these pixels and that nothing
 /// hides. What of them lies outside of the image is truncated.
+/// @param pixels  at least one
 [[nodiscard]] SceneObject handMadeObject(const std::string& name, const cv::Rect& pixels);
 
 /// The object as one of which no pixel is visible; its silhouette stays.
@@ -32,12 +33,12 @@ inline namespace v2 {
 /// image, and all that can be required but normals, optical flow and clouds, which a test sets
 /// where it wants them. Its frames are not connected (Scene::setTransforms).
 /// @param index  of the scene and its instant
-/// @param objects  become Scene::objects in this order, with their instances; a later one lies over
-///     an earlier one in the maps and in depth, while masks stay as they are
+/// @param objects  Scene::objects, in this order; their instances are set. Where visible masks
+///     overlap, maps and depth show the later object
 [[nodiscard]] Scene handMadeScene(std::int64_t index, std::vector<SceneObject> objects);
 
-/// What a writer is told of a dataset of one handMadeScene(): one camera, "camera", and these
-/// objects and their classes.
+/// The dataset of one handMadeScene(), for LabelWriter::initialize: these objects, their classes
+/// and the camera "camera".
 [[nodiscard]] DatasetInfo handMadeDataset(const std::vector<SceneObject>& objects);
 
 }  // namespace v2

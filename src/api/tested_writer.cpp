@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -88,8 +89,9 @@ class TestedRecords : public SceneRecords {
 
 /// What a library writes into a file by itself.
 std::string contentOf(const std::function<void(const std::string& file)>& write) {
-  std::string folder = "/tmp/tested_writer_XXXXXX";
-  if (mkdtemp(folder.data()) == nullptr) throw Error("no folder can be made in /tmp");
+  const std::string parent = std::filesystem::temp_directory_path().string();
+  std::string folder = parent + "/synthetic_dataset_XXXXXX";
+  if (mkdtemp(folder.data()) == nullptr) throw Error("no folder can be made in '" + parent + "'");
   const std::string file = folder + "/file";
   const auto remove = [&] {
     (void)std::remove(file.c_str());
