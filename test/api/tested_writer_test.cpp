@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <functional>
+#include <opencv2/core.hpp>
 #include <ostream>
 
 #include "support/error_messages.h"
