@@ -16,70 +16,77 @@ namespace {
 constexpr int kSide = 3;  ///< [px] of the square around a pixel that is looked at
 constexpr std::size_t kMiddle = kSide / 2;
 
-/// Numbers of the pixels around one: a row of the square in each, with a lane to spare.
+/// Numbers of the pixels around one: a row of the square in each, and in the last
+/// lane anything.
 using Square = std::array<Lanes, kSide>;
 
 /// What the centres of the pixels around one see.
 class Neighbourhood {
  public:
-  Neighbourhood(const PictureSamples& seen, const cv::Point& pixel) {
-    const cv::Point first = pixel - seen.place.tl() - cv::Point(kMiddle, kMiddle);
-    const int left = std::max(-first.x, 0);  // columns beside the image, which have no surface
-    for (int row = 0; row < kSide; ++row) {
-      const auto i = static_cast<std::size_t>(row);
-      const cv::Point from(first.x + left, first.y + row);
-      std::array<int, kLaneCount> items{};
-      std::array<float, kLaneCount> depths{};
-      std::array<std::uint16_t, std::size_t{4} * kLaneCount> normals{};
-      items.fill(-1);
-      const int count = std::min(kSide - left, seen.place.width - from.x);
-      if (from.y >= 0 && from.y < seen.place.height) {
-        const GeometryImages& images = seen.geometry;
-        std::copy_n(images.items.ptr<int>(from.y, from.x), count, items.begin() + left);
-        std::copy_n(images.depth.ptr<float>(from.y, from.x), count, depths.begin() + left);
-        std::copy_n(images.normals.ptr<std::uint16_t>(from.y, from.x), 4 * count,
-                    normals.begin() + std::ptrdiff_t{4} * left);
-      }
-      items_[i] = cv::v_load(items.data());
-      depths_[i] = cv::v_load(depths.data());
-      normals_[i] = loadHalves(normals.data()).xyz;
-      columns_ = lanes(static_cast<float>(pixel.x - 1)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
-      rows_[i] = lanes(static_cast<float>(pixel.y - 1 + row));
-    }
-  }
+  Neighbourhood(const PictureSamples& seen, const cv::Point& pixel)
+      : seen_(seen),
+        first_(pixel - seen.place.tl() - cv::Point(kMiddle, kMiddle)),
+        columns_(lanes(static_cast<float>(pixel.x - 1)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F)),
+        first_row_(static_cast<float>(pixel.y - 1)) {}
 
-  /// How little the pixels look like a face.
-  [[nodiscard]] Square unlikeness(const SeenFace* face) const {
-    Square result;
-    for (std::size_t row = 0; row < result.size(); ++row) result[row] = unlikeness(face, row);
-    return result;
-  }
-
- private:
-  [[nodiscard]] Lanes unlikeness(const SeenFace* face, std::size_t row) const {
+  /// How little a row of the pixels looks like a face.
+  [[nodiscard]] Lanes unlikeness(const SeenFace* face, std::size_t number) const {
+    const Row row = rowAt(static_cast<int>(number));
     const cv::v_int32x4 item = cv::v_setall_s32(face == nullptr ? 0 : face->item);
-    const Lanes is_same = cv::v_reinterpret_as_f32(items_[row] == item);
+    const Lanes is_same = cv::v_reinterpret_as_f32(row.items == item);
     if (face == nullptr) return cv::v_select(is_same, lanes(0.0F), lanes(likeness::kUnlike));
     // Vertices' normals may point inwards, all of a mesh's alike.
-    const Lanes turned = lanes(1.0F) - cv::v_abs(dot(normals_[row], lanes(face->normal)));
+    const Lanes turned = lanes(1.0F) - cv::v_abs(dot(row.normals, lanes(face->normal)));
+    const Lanes down = lanes(first_row_ + static_cast<float>(number));
     const Lanes expected = lanes(face->origin.z()) +
                            lanes(face->slope.x()) * (columns_ - lanes(face->origin.x())) +
-                           lanes(face->slope.y()) * (rows_[row] - lanes(face->origin.y()));
-    const Lanes off = cv::v_abs(expected * depths_[row] - lanes(1.0F));
+                           lanes(face->slope.y()) * (down - lanes(face->origin.y()));
+    const Lanes off = cv::v_abs(expected * row.depths - lanes(1.0F));
     return cv::v_select(is_same, turned + lanes(likeness::kDepth) * off, lanes(likeness::kUnlike));
   }
 
-  std::array<cv::v_int32x4, kSide> items_;  ///< -1 beside the image
-  Square depths_;
-  std::array<Lanes3, kSide> normals_;
+ private:
+  struct Row {
+    cv::v_int32x4 items;  ///< -1 beside the image
+    Lanes depths;
+    Lanes3 normals;
+  };
+
+  [[nodiscard]] Row rowAt(int number) const {
+    const GeometryImages& images = seen_.geometry;
+    const cv::Point from(first_.x, first_.y + number);
+    const bool is_inside = from.y >= 0 && from.y < seen_.place.height;
+    if (is_inside && from.x >= 0 && from.x + kLaneCount <= seen_.place.width) {
+      return {cv::v_load(images.items.ptr<int>(from.y, from.x)),
+              cv::v_load(images.depth.ptr<float>(from.y, from.x)),
+              loadHalves(images.normals.ptr<std::uint16_t>(from.y, from.x)).xyz};
+    }
+    std::array<int, kLaneCount> items{};
+    std::array<float, kLaneCount> depths{};
+    std::array<std::uint16_t, std::size_t{4} * kLaneCount> normals{};
+    items.fill(-1);
+    const int left = std::max(-from.x, 0);  // columns beside the image, which have no surface
+    const int count = std::min(kSide - left, seen_.place.width - from.x - left);
+    if (is_inside) {
+      std::copy_n(images.items.ptr<int>(from.y, from.x + left), count, items.begin() + left);
+      std::copy_n(images.depth.ptr<float>(from.y, from.x + left), count, depths.begin() + left);
+      std::copy_n(images.normals.ptr<std::uint16_t>(from.y, from.x + left), 4 * count,
+                  normals.begin() + std::ptrdiff_t{4} * left);
+    }
+    return {cv::v_load(items.data()), cv::v_load(depths.data()), loadHalves(normals.data()).xyz};
+  }
+
+  const PictureSamples& seen_;
+  cv::Point first_;  ///< of the pixels, in the images
   Lanes columns_;
-  Square rows_;
+  float first_row_;
 };
 
 /// How far a sample is from the pixels around its own, as it counts against likeness.
 std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
   std::array<float, kLaneCount> distances{};
-  for (int column = 0; column < kLaneCount; ++column) {
+  distances.fill(likeness::kUnlike);  // of the last lane
+  for (int column = 0; column < kSide; ++column) {
     const float x = static_cast<float>(column - 1) - kSampleColumns.at(sample);
     const float y = static_cast<float>(row - 1) - kSampleRows.at(sample);
     distances.at(static_cast<std::size_t>(column)) = likeness::kAway * (x * x + y * y);
@@ -106,20 +113,35 @@ class Resolver {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     const SeenFace* last = nullptr;
     Square unlike;
+    bool is_alike = false;  // to the pixel's own centre, so that no other is nearer
+    bool is_whole = false;  // whether all rows of the square are known
     for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
       const SeenFace* face = raster_.at(number, sample);
-      if (sample == 0 || face != last) unlike = neighbours.unlikeness(face);
+      if (sample == 0 || face != last) {
+        unlike[kMiddle] = neighbours.unlikeness(face, kMiddle);
+        is_alike = isAlike(unlike[kMiddle]);
+        is_whole = false;
+      }
       last = face;
-      sum += lightAt(pixel + nearest(unlike, sample));
+      if (!is_alike && !is_whole) {
+        for (const std::size_t row : {kMiddle - 1, kMiddle + 1}) {
+          unlike[row] = neighbours.unlikeness(face, row);
+        }
+        is_whole = true;
+      }
+      sum += lightAt(is_alike ? pixel : pixel + nearest(unlike, sample));
     }
     return sum / static_cast<float>(kSampleCount);
   }
 
  private:
+  static bool isAlike(const Lanes& middle) {
+    std::array<float, kLaneCount> unlike{};
+    cv::v_store(unlike.data(), middle);
+    return unlike[kMiddle] < likeness::kAlike;
+  }
+
   [[nodiscard]] cv::Point nearest(const Square& unlike, std::size_t sample) const {
-    std::array<float, kLaneCount> middle{};
-    cv::v_store(middle.data(), unlike[kMiddle]);
-    if (middle[kMiddle] < likeness::kAlike) return {0, 0};
     float least = likeness::kUnlike;
     cv::Point best(0, 0);
     for (std::size_t row = 0; row < unlike.size(); ++row) {

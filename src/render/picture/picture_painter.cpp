@@ -36,7 +36,8 @@ std::vector<double> lensOf(const ColourScene& scene) {
 }  // namespace
 
 cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother) {
-  cv::Mat result = picture.elsewhere.clone();
+  cv::Mat result = picture.elsewhere.empty() ? cv::Mat(picture.pixels.size(), CV_8UC3)
+                                             : picture.elsewhere.clone();
   const SeenSurfaces& seen = picture.unlit.seen;
   const cv::Mat light = picture.unlit.light();
   for (const cv::Rect& region : picture.regions) {
@@ -102,7 +103,7 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   if (kept == nullptr) {
     paintShadows(scene, casting, pixels);
     UnfinishedPicture picture = light(scene, scene.drawn, true, smooth, wanted);
-    picture.elsewhere = plainPicture(scene.exposure);
+    if (!regions.empty()) picture.elsewhere = plainPicture(scene.exposure);
     return picture;
   }
   drawGeometry(scene.view, scene.X_WL, scene.drawn, pixels);
@@ -294,7 +295,6 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   crew_.shadow_painter.paintStanding(scene.shadows, scene.X_WL, casting);
   UnfinishedPicture picture = light(scene, crew_.draw_list.standing(scene.drawn), false, smooth,
                                     cv::Mat(image_.size(), CV_8UC1, cv::Scalar(255)));
-  picture.elsewhere = plainPicture(scene.exposure);
   kept.pixels = finished(picture, crew_.edge_smoother);
   if (picture.edges) {
     kept.edges = EdgePixels(picture.unlit.seen.geometry, image_, {image_}, picture.pixels,

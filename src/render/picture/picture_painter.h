@@ -20,7 +20,8 @@ namespace synthetic_dataset::render {
 
 /// What OpenGL has drawn of a picture.
 struct UnfinishedPicture {
-  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `pixels`
+  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `pixels`;
+                                   ///< empty if these are all
   cv::Mat pixels;                  ///< CV_8UC1, of the whole picture: 255 for the other pixels
   std::vector<cv::Rect> regions;   ///< around these
   UnlitPixels unlit;               ///< them, and those by them where edges are smooth

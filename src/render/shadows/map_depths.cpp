@@ -1,7 +1,5 @@
 #include "render/shadows/map_depths.h"
 
-#include <utility>
-
 #include <opencv2/core.hpp>
 
 #include "render/pixels/lanes.h"
@@ -41,20 +39,33 @@ void findNearestOf(const cv::Mat& depths, const cv::Rect& texels, cv::Mat& neare
 
 }  // namespace
 
-/// Makes the common map that of what never moves, with these. It is a copy once there are any.
+void MapDepths::Standing::keep() {
+  const std::unique_lock<std::mutex> lock(mutex_);
+  if (isKept()) return;
+  remove();
+  common_ = depths_.clone();
+}
+
+/// Makes the common map that of what never moves.
+void MapDepths::Standing::remove() {
+  // The last one first, as they may lie on one another.
+  for (auto piece = beneath_.rbegin(); piece != beneath_.rend(); ++piece) {
+    (isKept() ? depths_(piece->texels) : piece->depths).copyTo(common_(piece->texels));
+    if (!nearest_.empty()) findNearestOf(common_, piece->texels, nearest_);
+  }
+  beneath_.clear();
+}
+
+/// Makes the common map that of what never moves, with these.
 void MapDepths::Standing::putOn(const std::vector<MapPiece>& pieces) {
-  if (common_.empty()) common_ = depths_;
-  if (!pieces.empty() && common_.data == depths_.data) common_ = depths_.clone();
-  for (const cv::Rect& texels : changed_) depths_(texels).copyTo(common_(texels));
-  std::vector<cv::Rect> passed = std::exchange(changed_, {});
+  remove();
   for (const MapPiece& piece : pieces) {
     cv::Mat here = common_(piece.texels);
+    beneath_.push_back({piece.texels, isKept() ? cv::Mat() : here.clone()});
     cv::min(here, piece.depths, here);
-    changed_.push_back(piece.texels);
   }
   if (nearest_.empty()) return;
-  for (const cv::Rect& texels : passed) findNearestOf(common_, texels, nearest_);
-  for (const cv::Rect& texels : changed_) findNearestOf(common_, texels, nearest_);
+  for (const MapPiece& piece : pieces) findNearestOf(common_, piece.texels, nearest_);
 }
 
 void MapDepths::Standing::findNearest() {
@@ -66,11 +77,12 @@ void MapDepths::Standing::findNearest() {
 
 MapDepths::Assembled MapDepths::assemble(bool with_nearest) const {
   Assembled result;
-  if (pieces_.empty() && !with_nearest) {
+  result.lock_ = std::unique_lock<std::mutex>(standing_->mutex_);
+  if (pieces_.empty() && !with_nearest && standing_->isKept()) {
     result.depths_ = standing_->depths_;
+    result.lock_.unlock();
     return result;
   }
-  result.lock_ = std::unique_lock<std::mutex>(standing_->mutex_);
   standing_->putOn(pieces_);
   result.depths_ = standing_->common_;
   if (with_nearest) {

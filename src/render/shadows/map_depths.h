@@ -44,22 +44,29 @@ class MapDepths {
   /// What several maps have in common.
   class Standing {
    public:
-    /// @param depths  CV_32FC1, a square; never written to
-    explicit Standing(cv::Mat depths) : depths_(std::move(depths)) {}
+    /// @param depths  CV_32FC1, a square
+    explicit Standing(cv::Mat depths) : depths_(std::move(depths)), common_(depths_) {}
 
+    /// Of what never moves; only before the first map is assembled, or once it is kept.
     [[nodiscard]] const cv::Mat& depths() const { return depths_; }
+
+    /// To be called when further maps have this in common. A map that is the only one needs no
+    /// copy.
+    void keep();
 
    private:
     friend class MapDepths;
 
+    [[nodiscard]] bool isKept() const { return common_.data != depths_.data; }
     void putOn(const std::vector<MapPiece>& pieces);
+    void remove();
     void findNearest();
 
     cv::Mat depths_;
-    std::mutex mutex_;  ///< of the following
+    std::mutex mutex_;  ///< of the following, and of depths_ until they are kept
     cv::Mat common_;
     cv::Mat nearest_;                ///< of the common map; empty until it is asked for
-    std::vector<cv::Rect> changed_;  ///< where the common map is not as that of what never moves
+    std::vector<MapPiece> beneath_;  ///< where pieces lie on the common map, and what was there
   };
 
   explicit MapDepths(std::shared_ptr<Standing> standing, std::vector<MapPiece> pieces = {})

@@ -37,11 +37,18 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, int size, int layers)
   }
 }
 
-void ShadowMaps::begin(int layer) const {
+void ShadowMaps::begin(int layer) const { beginAgain(layer, {whole()}); }
+
+void ShadowMaps::beginAgain(int layer, const std::vector<cv::Rect>& changed) const {
   constexpr float kFarthest = 1.0F;
   bind(layer);
-  gl_.ClearNamedFramebufferfv(layers_[static_cast<std::size_t>(layer)].name(), GL_DEPTH, 0,
-                              &kFarthest);
+  gl_.Enable(GL_SCISSOR_TEST);
+  for (const cv::Rect& texels : changed) {
+    gl_.Scissor(texels.x, texels.y, texels.width, texels.height);
+    gl_.ClearNamedFramebufferfv(layers_[static_cast<std::size_t>(layer)].name(), GL_DEPTH, 0,
+                                &kFarthest);
+  }
+  gl_.Disable(GL_SCISSOR_TEST);
 }
 
 void ShadowMaps::keep(int layer) {

@@ -17,11 +17,14 @@ class ShadowMaps {
   /// Binds a layer and clears it; what is drawn then casts the light's shadows.
   void begin(int layer) const;
 
+  /// The same of a layer that is clear but for some texels (columns and rows).
+  void beginAgain(int layer, const std::vector<cv::Rect>& changed) const;
+
   /// Keeps a layer as it is now.
   void keep(int layer);
 
   /// Binds a layer; what is drawn then casts shadows, too.
-  /// @param changed  the texels (columns and rows) that are made again as they were kept
+  /// @param changed  the texels that are made again as they were kept
   void beginKept(int layer, const std::vector<cv::Rect>& changed) const;
 
   /// @param texels  columns and rows of a layer

@@ -11,7 +11,6 @@
 #include "render/parts/item_groups.h"
 #include "render/parts/surface_drawing.h"
 #include "render/shaders.h"
-#include "render/shadows/shadow_raster.h"
 
 namespace synthetic_dataset::render {
 namespace {
@@ -61,6 +60,13 @@ Eigen::Matrix4d texelsFromShadow(int size) {
   texels_from_shadow.row(0) = Eigen::Vector4d(half, 0.0, 0.0, half);
   texels_from_shadow.row(1) = Eigen::Vector4d(0.0, half, 0.0, half);
   return texels_from_shadow;
+}
+
+/// @param map_from_world  columns, rows and depths
+CastBody bodyOf(const DrawItem& item, const Pose& X_WL, const ShadowProjection& shadow,
+                const Eigen::Matrix4d& map_from_world) {
+  const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL * item.X_LV).matrix();
+  return {item.shape, Eigen::Projective3f(map_from_mesh.cast<float>()), castsByFront(item, shadow)};
 }
 
 /// How many columns and rows from its own place a surface's light asks for texels.
@@ -116,8 +122,9 @@ ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& draw_list,
       sides_(gl, layout.side_size, layout.sides),
       has_glass_(std::any_of(draw_list.items().begin(), draw_list.items().end(),
                              [](const DrawItem& item) { return item.transparent; })) {
-  for (int map = 0; map < layout.maps; ++map) layers_.push_back({&maps_, map});
-  for (int side = 0; side < layout.sides; ++side) layers_.push_back({&sides_, side});
+  for (int map = 0; map < layout.maps; ++map) layers_.push_back({&maps_, map, {maps_.whole()}});
+  for (int side = 0; side < layout.sides; ++side)
+    layers_.push_back({&sides_, side, {sides_.whole()}});
 }
 
 void ShadowPainter::begin() {
@@ -148,37 +155,45 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
                                        const LinkSelection& casting) {
   Layer& layer = layerOf(shadow);
   if (layer.isSame(shadow, casting) && layer.is_kept) {
-    layer.maps->beginKept(layer.number, layer.overdrawn);
-    layer.overdrawn.clear();
+    layer.standing->keep();
     layer.moving.clear();
+    if (has_glass_) layer.maps->beginKept(layer.number, std::exchange(layer.overdrawn, {}));
     return;
   }
   layer.begin(shadow, casting);
-  draw(shadow, X_WL, casting, Casters::kStanding);
-  // In a light with a place, things may move to where OpenGL has to draw them.
-  const bool is_needed = !isParallel(shadow) || !isCastByRaster(shadow, X_WL, casting);
-  if (is_needed) layer.maps->keep(layer.number);
   layer.is_kept = true;
+  if (isCastByRaster(shadow, X_WL, casting, true)) {
+    layer.standing = std::make_shared<MapDepths::Standing>(castStanding(shadow, X_WL, casting));
+    return;
+  }
+  layer.maps->begin(layer.number);
+  draw(shadow, X_WL, casting, Casters::kStanding);
   layer.standing = layer.readAll();
+  layer.overdrawn = {layer.maps->whole()};
+  if (has_glass_) {
+    layer.maps->keep(layer.number);
+    layer.overdrawn.clear();
+  }
 }
 
 /// @param moving  the links that cast among those that move
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                const LinkSelection& casting, const LinkSelection& moving) {
   Layer& layer = layerOf(shadow);
-  if (isCastByRaster(shadow, X_WL, casting)) {
-    paintStandingLayer(shadow, X_WL, casting);
-    layer.moving = castPieces(shadow, X_WL, moving);
-    return;
-  }
-  if (!layer.isSame(shadow, casting)) {
+  if (has_glass_ && !layer.isSame(shadow, casting)) {
     // It may not come again: a copy would be made for nothing.
     layer.begin(shadow, casting);
+    layer.maps->begin(layer.number);
     draw(shadow, X_WL, casting, Casters::kAll);
     layer.standing = layer.readAll();
     return;
   }
   paintStandingLayer(shadow, X_WL, casting);
+  if (isCastByRaster(shadow, X_WL, casting, false)) {
+    layer.moving = castPieces(shadow, X_WL, moving);
+    return;
+  }
+  if (!has_glass_) layer.maps->beginAgain(layer.number, layer.overdrawn);
   draw(shadow, X_WL, moving, Casters::kMoving);
   layer.overdrawn = texelsOfMoving(shadow, X_WL, moving);
   for (const cv::Rect& texels : layer.overdrawn) {
@@ -186,14 +201,28 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
   }
 }
 
-/// Whether what moves need not be drawn with OpenGL.
+/// Whether what stands still, or what does not, need not be drawn with OpenGL.
 bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
-                                   const LinkSelection& casting) const {
+                                   const LinkSelection& casting, bool stand_still) const {
   const std::vector<DrawItem>& items = draw_list_.items();
   return !has_glass_ && std::none_of(items.begin(), items.end(), [&](const DrawItem& item) {
-    if (!item.casts_shadow || item.stands_still || !casting[item.link]) return false;
+    if (!item.casts_shadow || item.stands_still != stand_still || !casting[item.link]) return false;
     return item.has_holes || placeOf(item, X_WL[item.link], shadow) == InLight::kPartly;
   });
+}
+
+/// CV_32FC1: the depths of what stands still.
+cv::Mat ShadowPainter::castStanding(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+                                    const LinkSelection& casting) const {
+  const int size = layers_[static_cast<std::size_t>(shadow.map)].size();
+  const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
+  std::vector<CastBody> bodies;
+  for (const DrawItem& item : draw_list_.items()) {
+    if (!item.casts_shadow || !casting[item.link] || !item.stands_still) continue;
+    if (placeOf(item, X_WL[item.link], shadow) == InLight::kNot) continue;
+    bodies.push_back(bodyOf(item, X_WL[item.link], shadow, map_from_world));
+  }
+  return castMap(bodies, size);
 }
 
 std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
@@ -202,25 +231,23 @@ std::vector<MapPiece> ShadowPainter::castPieces(const ShadowProjection& shadow,
   const int size = layerOf(shadow).size();
   const Eigen::Matrix4d map_from_world = texelsFromShadow(size) * shadow.shadow_from_world;
   std::vector<Cast*> casts;
-  std::vector<std::pair<const DrawItem*, Cast*>> changed;
+  std::vector<Cast*> changed;
   for (const DrawItem& item : draw_list_.items()) {
     if (!item.casts_shadow || !casting[item.link] || item.stands_still) continue;
     if (placeOf(item, X_WL[item.link], shadow) == InLight::kNot) continue;
-    const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL[item.link] * item.X_LV).matrix();
-    const bool fronts_alone = castsByFront(item, shadow);
+    const CastBody body = bodyOf(item, X_WL[item.link], shadow, map_from_world);
     const auto [known, is_new] = casts_.try_emplace({shadow.map, &item});
     Cast& cast = known->second;
-    if (is_new || cast.map_from_mesh != map_from_mesh || cast.fronts_alone != fronts_alone) {
-      cast = {map_from_mesh, fronts_alone, std::nullopt};
-      changed.emplace_back(&item, &cast);
+    if (is_new || !cast.isOf(body)) {
+      cast = {body, std::nullopt};
+      changed.push_back(&cast);
     }
     casts.push_back(&cast);
   }
   cv::parallel_for_(cv::Range(0, static_cast<int>(changed.size())), [&](const cv::Range& some) {
     for (int i = some.start; i < some.end; ++i) {
-      const auto& [item, cast] = changed[static_cast<std::size_t>(i)];
-      const Eigen::Projective3f map_from_vertex(cast->map_from_mesh.cast<float>());
-      cast->piece = castPiece(*item->shape, map_from_vertex, size, cast->fronts_alone);
+      Cast& cast = *changed[static_cast<std::size_t>(i)];
+      cast.piece = castPiece(cast.body, size);
     }
   });
   std::vector<MapPiece> pieces;
@@ -251,10 +278,9 @@ ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
                        : allChanged(layer.maps->whole(), reach, texels_from_world);
 }
 
-/// Binds it and clears it; what is drawn then casts the shadow.
+/// Nothing is drawn yet.
 void ShadowPainter::Layer::begin(const ShadowProjection& shadow, const LinkSelection& casters) {
-  *this = {maps, number, shadow.shadow_from_world, casters};
-  maps->begin(number);
+  *this = {maps, number, std::move(overdrawn), shadow.shadow_from_world, casters};
 }
 
 bool ShadowPainter::Layer::isSame(const ShadowProjection& shadow,

@@ -15,6 +15,7 @@
 #include "render/shadows/map_depths.h"
 #include "render/shadows/shadow_maps.h"
 #include "render/shadows/shadow_projection.h"
+#include "render/shadows/shadow_raster.h"
 
 namespace synthetic_dataset::render {
 
@@ -22,6 +23,8 @@ namespace synthetic_dataset::render {
 ///
 /// What never moves is drawn once for all pictures that have the same projection, and what moves on
 /// top of it: depths are the least ones whatever the order, so a map's pixels do not tell.
+/// Triangles are drawn by the processor; OpenGL draws what has holes or lies partly before a light,
+/// and all where there is glass, whose shader looks the maps up.
 class ShadowPainter {
  public:
   /// @param draw_list  have to outlive this
@@ -55,14 +58,14 @@ class ShadowPainter {
 
   /// A map, and what it was drawn with last.
   struct Layer {
-    ShadowMaps* maps;  ///< among which it is
-    int number;        ///< among these
+    ShadowMaps* maps;                 ///< among which it is
+    int number;                       ///< among these
+    std::vector<cv::Rect> overdrawn;  ///< texels where OpenGL drew beside what is kept
 
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting = {};
-    bool is_kept = false;                  ///< the standing casters, as they are drawn with these
-    std::vector<MapPiece> moving = {};     ///< what moves, where it was drawn on top of them
-    std::vector<cv::Rect> overdrawn = {};  ///< texels on which OpenGL did that
+    bool is_kept = false;               ///< the standing casters, as they are drawn with these
+    std::vector<MapPiece> moving = {};  ///< what moves, where it was drawn on top of them
     std::shared_ptr<MapDepths::Standing> standing = nullptr;  ///< or all, if they are not kept
 
     void begin(const ShadowProjection& shadow, const LinkSelection& casters);
@@ -73,9 +76,13 @@ class ShadowPainter {
 
   /// What an item was cast as last, in some map. The same again is the same piece.
   struct Cast {
-    Eigen::Matrix4d map_from_mesh;
-    bool fronts_alone = false;
+    CastBody body;
     std::optional<MapPiece> piece;
+
+    [[nodiscard]] bool isOf(const CastBody& other) const {
+      return body.map_from_mesh.matrix() == other.map_from_mesh.matrix() &&
+             body.fronts_alone == other.fronts_alone;
+    }
   };
 
   [[nodiscard]] Layer& layerOf(const ShadowProjection& shadow) {
@@ -91,7 +98,9 @@ class ShadowPainter {
   void paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                   const LinkSelection& casting, const LinkSelection& moving);
   [[nodiscard]] bool isCastByRaster(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
-                                    const LinkSelection& casting) const;
+                                    const LinkSelection& casting, bool stand_still) const;
+  [[nodiscard]] cv::Mat castStanding(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
+                                     const LinkSelection& casting) const;
   [[nodiscard]] std::vector<MapPiece> castPieces(const ShadowProjection& shadow,
                                                  const std::vector<Pose>& X_WL,
                                                  const LinkSelection& casting);

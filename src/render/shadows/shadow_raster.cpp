@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include <opencv2/core/fast_math.hpp>
+#include <opencv2/core/utility.hpp>
 
 #include "render/pixels/lanes.h"
 
@@ -38,16 +40,21 @@ Corners cornersOf(const world::Mesh& mesh, const Eigen::Projective3f& map_from_m
   return corners;
 }
 
-/// The texels of a map whose centres are between these places.
-cv::Rect texelsBetween(const Eigen::Vector3f& lowest, const Eigen::Vector3f& highest, int size) {
-  const float beside = static_cast<float>(size) + 1.0F;
-  const auto within = [&](float place) { return std::min(std::max(place, -beside), beside); };
-  const cv::Point first(std::max(cvCeil(within(lowest.x())), 0),
-                        std::max(cvCeil(within(lowest.y())), 0));
-  const cv::Point last(std::min(cvFloor(within(highest.x())), size - 1),
-                       std::min(cvFloor(within(highest.y())), size - 1));
-  if (first.x > last.x || first.y > last.y) return {};
-  return {first, last + cv::Point(1, 1)};
+/// The texels among these whose centres are between two places.
+cv::Rect texelsBetween(const Eigen::Vector3f& lowest, const Eigen::Vector3f& highest,
+                       const cv::Rect& texels) {
+  const cv::Point end = texels.br();
+  const auto first = [](float place, int begin, int stop) {
+    return cvCeil(std::min(std::max(place, static_cast<float>(begin)), static_cast<float>(stop)));
+  };
+  const auto last = [](float place, int begin, int stop) {
+    return cvFloor(
+        std::min(std::max(place, static_cast<float>(begin - 1)), static_cast<float>(stop - 1)));
+  };
+  const cv::Point low(first(lowest.x(), texels.x, end.x), first(lowest.y(), texels.y, end.y));
+  const cv::Point high(last(highest.x(), texels.x, end.x), last(highest.y(), texels.y, end.y));
+  if (low.x > high.x || low.y > high.y) return {};
+  return {low, high + cv::Point(1, 1)};
 }
 
 cv::Rect texelsOf(const Corners& corners, int size) {
@@ -58,26 +65,44 @@ cv::Rect texelsOf(const Corners& corners, int size) {
     low = low.cwiseMin(corner);
     high = high.cwiseMax(corner);
   }
-  return texelsBetween(low, high, size);
+  return texelsBetween(low, high, {0, 0, size, size});
 }
 
-/// One side of a triangle: not below 0 on the triangle's own side of it.
-struct TexelSide {
-  TexelSide(const Eigen::Vector3f& from, const Eigen::Vector3f& to)
-      : along_column(from.y() - to.y()),
-        along_row(to.x() - from.x()),
-        constant(
-            -(double{along_column} * double{from.x()} + double{along_row} * double{from.y()})) {}
+/// One side of a triangle, on which a value is not below 0 on the triangle's own side of it.
+/// Corners are rounded, so it is exact: no centre is beside both triangles of a side.
+class TexelSide {
+ public:
+  TexelSide(const Eigen::Vector3f& from, const Eigen::Vector3f& to, int first_row)
+      : along_column_(double{from.y()} - double{to.y()}),
+        along_row_(double{to.x()} - double{from.x()}),
+        columns_(along_column_ == 0.0 ? 0.0 : -1.0 / along_column_),
+        at_column_0_(along_row_ * (first_row - double{from.y()}) -
+                     along_column_ * double{from.x()}) {}
 
-  /// Where a row begins at this column; exact for the small triangles of bodies, so that no centre
-  /// is beside both triangles of a side.
-  [[nodiscard]] float at(int column, int row) const {
-    return static_cast<float>(double{along_column} * column + double{along_row} * row + constant);
+  void nextRow() { at_column_0_ += along_row_; }
+
+  /// Leaves those columns of the row that are not beside it.
+  void narrow(int& first, int& end) const {
+    const double edge = std::clamp(at_column_0_ * columns_, first - 1.0, end + 1.0);
+    // The quotient is rounded, so that the column may be the one beside it.
+    const int nearest = static_cast<int>(edge);
+    const double there = along_column_ * nearest + at_column_0_;
+    if (along_column_ > 0.0) {
+      const int begin = there < 0.0 ? nearest + 1 : there < along_column_ ? nearest : nearest - 1;
+      first = std::max(first, begin);
+    } else if (along_column_ < 0.0) {
+      const int last = there < 0.0 ? nearest - 1 : there < -along_column_ ? nearest : nearest + 1;
+      end = std::min(end, last + 1);
+    } else if (at_column_0_ < 0.0) {
+      end = first;
+    }
   }
 
-  float along_column;
-  float along_row;
-  double constant;
+ private:
+  double along_column_;
+  double along_row_;
+  double columns_;      ///< from a value to where it is 0
+  double at_column_0_;  ///< of the row
 };
 
 /// The triangles' extent [texel] up to which whole numbers of 32 bits hold all that sides tell.
@@ -119,12 +144,13 @@ class SmallSide {
 
 class PieceRaster {
  public:
-  PieceRaster(MapPiece& piece, int size) : piece_(piece), size_(size) {}
+  /// @param piece  has room for kLaneCount texels behind each row
+  explicit PieceRaster(MapPiece& piece) : piece_(piece) {}
 
   void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
     const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c);
     const Eigen::Vector3f high = a.cwiseMax(b).cwiseMax(c);
-    const cv::Rect texels = texelsBetween(low, high, size_);
+    const cv::Rect texels = texelsBetween(low, high, piece_.texels);
     if (texels.empty()) return;
     const Depths depths{a, slopeOf(a, b, c), std::clamp(low.z(), 0.0F, kFarthestDepth),
                         std::clamp(high.z(), 0.0F, kFarthestDepth)};
@@ -142,9 +168,14 @@ class PieceRaster {
     Eigen::Vector2f slope;  ///< a texel along columns and rows
     float nearest, farthest;
 
-    [[nodiscard]] Lanes at(const cv::Point& first, int column) const {
-      const float begin = corner.z() + slope.x() * (static_cast<float>(first.x) - corner.x()) +
-                          slope.y() * (static_cast<float>(first.y) - corner.y());
+    [[nodiscard]] float begin(const cv::Point& first) const {
+      return corner.z() + slope.x() * (static_cast<float>(first.x) - corner.x()) +
+             slope.y() * (static_cast<float>(first.y) - corner.y());
+    }
+
+    /// @param begin  at some texel
+    /// @param column  from there
+    [[nodiscard]] Lanes at(float begin, int column) const {
       const Lanes steps = lanes(static_cast<float>(column)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
       // Within the corners', whatever the slope of a sliver is.
       return clamped(lanes(begin) + lanes(slope.x()) * steps, nearest, farthest);
@@ -163,11 +194,13 @@ class PieceRaster {
       cv::v_int32x4 of_ab = row_ab;
       cv::v_int32x4 of_bc = row_bc;
       cv::v_int32x4 of_ca = row_ca;
+      const float begin = depths.begin({texels.x, row});
+      float* to = texel({texels.x, row});
       for (int column = 0; column < texels.width; column += kLaneCount) {
         // The sign is set where it is beside one of them.
         const cv::v_int32x4 beside = of_ab | of_bc | of_ca;
         const Lanes covered = cv::v_reinterpret_as_f32(beside >= cv::v_setzero_s32());
-        see(covered, depths.at({texels.x, row}, column), {texels.x + column, row});
+        see(covered, depths.at(begin, column), to + column);
         of_ab += ab.nextFour();
         of_bc += bc.nextFour();
         of_ca += ca.nextFour();
@@ -180,45 +213,32 @@ class PieceRaster {
 
   void drawLarge(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
                  const cv::Rect& texels, const Depths& depths) {
-    const std::array<TexelSide, 3> sides = {TexelSide(a, b), TexelSide(b, c), TexelSide(c, a)};
-    const Lanes zero = lanes(0.0F);
+    std::array<TexelSide, 3> sides = {TexelSide(a, b, texels.y), TexelSide(b, c, texels.y),
+                                      TexelSide(c, a, texels.y)};
     for (int row = texels.y; row < texels.y + texels.height; ++row) {
-      std::array<float, 3> first{};
-      for (std::size_t i = 0; i < 3; ++i) first[i] = sides[i].at(texels.x, row);
-      const cv::Range columns = columnsWithin(sides, first, texels.width);
-      for (int column = columns.start; column < columns.end; column += kLaneCount) {
-        const Lanes steps = lanes(static_cast<float>(column)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
-        const Lanes covered = (lanes(first[0]) + lanes(sides[0].along_column) * steps >= zero) &
-                              (lanes(first[1]) + lanes(sides[1].along_column) * steps >= zero) &
-                              (lanes(first[2]) + lanes(sides[2].along_column) * steps >= zero);
-        if (!cv::v_check_any(covered)) continue;
-        see(covered, depths.at({texels.x, row}, column), {texels.x + column, row});
+      int first = texels.x;
+      int end = texels.x + texels.width;
+      for (TexelSide& side : sides) {
+        side.narrow(first, end);
+        side.nextRow();
+      }
+      if (first >= end) continue;
+      const float begin = depths.begin({texels.x, row});
+      float* to = texel({texels.x, row});
+      for (int column = first - texels.x; column < end - texels.x; column += kLaneCount) {
+        const cv::v_int32x4 here = cv::v_setall_s32(column) + cv::v_int32x4(0, 1, 2, 3);
+        const cv::v_int32x4 is_before = here < cv::v_setall_s32(end - texels.x);
+        see(cv::v_reinterpret_as_f32(is_before), depths.at(begin, column), to + column);
       }
     }
   }
 
-  /// The columns of a row that may be within all sides, and a few more: from a whole number of
-  /// lanes on.
-  /// @param first  the sides' values at column 0
-  static cv::Range columnsWithin(const std::array<TexelSide, 3>& sides,
-                                 const std::array<float, 3>& first, int width) {
-    constexpr float kRounding = 1.0F;  // [texel], and more than that of what the lanes find
-    float begin = 0.0F;
-    auto end = static_cast<float>(width);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float slope = sides[i].along_column;
-      if (slope == 0.0F && first[i] < 0.0F) return {0, 0};
-      const float edge = -first[i] / slope;
-      if (slope > 0.0F) begin = std::max(begin, edge - kRounding);
-      if (slope < 0.0F) end = std::min(end, edge + kRounding + 1.0F);
-    }
-    if (begin >= end) return {0, 0};
-    return {static_cast<int>(begin) / kLaneCount * kLaneCount, static_cast<int>(std::ceil(end))};
+  [[nodiscard]] float* texel(const cv::Point& at) {
+    return piece_.depths.ptr<float>(at.y - piece_.texels.y, at.x - piece_.texels.x);
   }
 
   /// Whole lanes: the piece has room for them behind its last column.
-  void see(const Lanes& covered, const Lanes& depth, const cv::Point& texel) {
-    float* at = piece_.depths.ptr<float>(texel.y - piece_.texels.y, texel.x - piece_.texels.x);
+  static void see(const Lanes& covered, const Lanes& depth, float* at) {
     const Lanes before = cv::v_load(at);
     cv::v_store(at, cv::v_select(covered, cv::v_min(depth, before), before));
   }
@@ -233,33 +253,75 @@ class PieceRaster {
   }
 
   MapPiece& piece_;
-  int size_;
 };
 
-}  // namespace
-
-std::optional<MapPiece> castPiece(const world::Mesh& mesh, const Eigen::Projective3f& map_from_mesh,
-                                  int size, bool fronts_alone) {
-  const Corners corners = cornersOf(mesh, map_from_mesh);
-  MapPiece piece;
-  piece.texels = texelsOf(corners, size);
-  if (piece.texels.empty()) return std::nullopt;
-  const cv::Mat roomy(piece.texels.height, piece.texels.width + kLaneCount, CV_32FC1,
-                      cv::Scalar(kFarthestDepth));
-  piece.depths = roomy.colRange(0, piece.texels.width);
-  PieceRaster raster(piece, size);
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Eigen::Vector3f& a = corners[mesh.indices[i]];
-    const Eigen::Vector3f& b = corners[mesh.indices[i + 1]];
-    const Eigen::Vector3f& c = corners[mesh.indices[i + 2]];
+void drawTriangles(const CastBody& body, const Corners& corners, PieceRaster& raster) {
+  const std::vector<std::uint32_t>& indices = body.mesh->indices;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const Eigen::Vector3f& a = corners[indices[i]];
+    const Eigen::Vector3f& b = corners[indices[i + 1]];
+    const Eigen::Vector3f& c = corners[indices[i + 2]];
     const Eigen::Vector2f ab = (b - a).head<2>();
     const Eigen::Vector2f ac = (c - a).head<2>();
     // Rows go up where light's frame has y go down: what faces the light turns left-handed.
     const float area = ab.x() * ac.y() - ac.x() * ab.y();
     if (area < 0.0F) raster.draw(a, c, b);
-    if (area > 0.0F && !fronts_alone) raster.draw(a, b, c);
+    if (area > 0.0F && !body.fronts_alone) raster.draw(a, b, c);
   }
+}
+
+/// Nothing nearer than the farthest, and room for the lanes behind each row.
+MapPiece emptyPiece(const cv::Rect& texels) {
+  cv::Mat roomy(texels.height, texels.width + kLaneCount, CV_32FC1);
+  std::fill_n(roomy.ptr<float>(), roomy.total(), kFarthestDepth);
+  return {texels, roomy.colRange(0, texels.width)};
+}
+
+}  // namespace
+
+std::optional<MapPiece> castPiece(const CastBody& body, int size) {
+  const Corners corners = cornersOf(*body.mesh, body.map_from_mesh);
+  const cv::Rect texels = texelsOf(corners, size);
+  if (texels.empty()) return std::nullopt;
+  MapPiece piece = emptyPiece(texels);
+  PieceRaster raster(piece);
+  drawTriangles(body, corners, raster);
   return piece;
+}
+
+cv::Mat castMap(const std::vector<CastBody>& bodies, int size) {
+  struct Placed {
+    Corners corners;
+    cv::Rect texels;
+  };
+  std::vector<Placed> placed(bodies.size());
+  cv::parallel_for_(cv::Range(0, static_cast<int>(bodies.size())), [&](const cv::Range& some) {
+    for (auto i = static_cast<std::size_t>(some.start); i < static_cast<std::size_t>(some.end);
+         ++i) {
+      placed[i].corners = cornersOf(*bodies[i].mesh, bodies[i].map_from_mesh);
+      placed[i].texels = texelsOf(placed[i].corners, size);
+    }
+  });
+  cv::Mat roomy(size, size + kLaneCount, CV_32FC1);
+  const cv::Mat map = roomy.colRange(0, size);
+  constexpr int kBand = 128;  // [texel] high
+  const int bands = (size + kBand - 1) / kBand;
+  cv::parallel_for_(
+      cv::Range(0, bands),
+      [&](const cv::Range& some) {
+        const cv::Rect texels =
+            cv::Rect(0, kBand * some.start, size, kBand * some.size()) & cv::Rect(0, 0, size, size);
+        MapPiece band{texels, map(texels)};
+        std::fill_n(roomy.ptr<float>(texels.y),
+                    roomy.step1() * static_cast<std::size_t>(texels.height), kFarthestDepth);
+        PieceRaster raster(band);
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+          if ((placed[i].texels & texels).empty()) continue;
+          drawTriangles(bodies[i], placed[i].corners, raster);
+        }
+      },
+      bands);
+  return map;
 }
 
 }  // namespace synthetic_dataset::render

@@ -1,6 +1,9 @@
 #include "render/shadows/shadow_raster.h"
 
+#include <cmath>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -67,7 +70,7 @@ TEST(ShadowRaster, HasTheLeastDepthAtTheCentreOfEachTexel) {
       const Eigen::Affine3f map = placed(random, 60.0, {45.3, 50.7});
       cv::Mat clear;
       const cv::Mat wanted = leastDepths(*mesh, map, clear);
-      const cv::Mat found = whole(castPiece(*mesh, map, kSize, false));
+      const cv::Mat found = whole(castPiece({mesh.get(), Eigen::Projective3f(map), false}, kSize));
       int compared = 0;
       for (int v = 0; v < kSize; ++v) {
         for (int u = 0; u < kSize; ++u) {
@@ -95,7 +98,7 @@ TEST(ShadowRaster, OfALampHasThePerspectiveOfItsPlace) {
       0.0, 0.0, kFar / (kFar - kNear), -kFar * kNear / (kFar - kNear),  //
       0.0, 0.0, 1.0, 0.0;
   const cv::Mat found =
-      whole(castPiece(mesh, Eigen::Projective3f(map.cast<float>()), kSize, false));
+      whole(castPiece({&mesh, Eigen::Projective3f(map.cast<float>()), false}, kSize));
   const Eigen::Vector3d a = mesh.positions[0].cast<double>();
   const Eigen::Vector3d normal =
       (mesh.positions[1].cast<double>() - a).cross(mesh.positions[2].cast<double>() - a);
@@ -118,7 +121,8 @@ TEST(ShadowRaster, LeavesNoGapsBetweenTriangles) {
   std::mt19937 random(5);
   const auto ball = world::sphereMesh(0.4);
   for (int i = 0; i < 20; ++i) {
-    const cv::Mat map = whole(castPiece(*ball, placed(random, 70.0, {48, 48}), kSize, true));
+    const cv::Mat map = whole(
+        castPiece({ball.get(), Eigen::Projective3f(placed(random, 70.0, {48, 48})), true}, kSize));
     for (int v = 0; v < kSize; ++v) {
       int changes = 0;
       for (int u = 1; u < kSize; ++u) {
@@ -129,12 +133,51 @@ TEST(ShadowRaster, LeavesNoGapsBetweenTriangles) {
   }
 }
 
+/// Long slivers, which meet anywhere in the map.
+TEST(ShadowRaster, LeavesNoGapsBetweenLargeTriangles) {
+  constexpr int kLarge = 700;
+  constexpr std::uint32_t kCount = 97;
+  world::Mesh fan;
+  fan.positions.emplace_back(311.3F, 402.7F, 0.5F);
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const float angle = 2.0F * static_cast<float>(CV_PI) * static_cast<float>(i) / kCount;
+    fan.positions.emplace_back(311.0F + 1500.0F * std::cos(angle),
+                               402.0F + 1500.0F * std::sin(angle), 0.5F);
+    fan.indices.insert(fan.indices.end(), {0, 1 + i, 1 + (i + 1) % kCount});
+  }
+  const CastBody body{&fan, Eigen::Projective3f::Identity(), false};
+  EXPECT_EQ(cv::countNonZero(castMap({body}, kLarge) == 0.5F), kLarge * kLarge);
+}
+
+TEST(ShadowRaster, DrawsAMapAsThePiecesOfItsBodies) {
+  std::mt19937 random(11);
+  constexpr int kLarge = 300;  // of several bands
+  std::vector<std::shared_ptr<const world::Mesh>> meshes;
+  std::vector<CastBody> bodies;
+  cv::Mat wanted(kLarge, kLarge, CV_32FC1, cv::Scalar(1.0));
+  for (int i = 0; i < 12; ++i) {
+    meshes.push_back(i % 2 == 0 ? world::sphereMesh(0.4) : world::boxMesh({0.3, 0.9, 2.0}));
+    const Eigen::Vector2d middle(25.0 * i, 290.0 - 26.0 * i);
+    bodies.push_back(
+        {meshes.back().get(), Eigen::Projective3f(placed(random, 90.0, middle)), i % 2 == 0});
+    const auto piece = castPiece(bodies.back(), kLarge);
+    ASSERT_TRUE(piece);
+    cv::Mat here = wanted(piece->texels);
+    cv::min(here, piece->depths, here);
+  }
+  EXPECT_EQ(cv::norm(castMap(bodies, kLarge), wanted, cv::NORM_INF), 0.0);
+  EXPECT_GT(cv::countNonZero(wanted < 1.0F), 20000);
+}
+
 TEST(ShadowRaster, NeedsNoBacksOfABody) {
   std::mt19937 random(7);
   for (const auto& mesh : {world::sphereMesh(0.4), world::capsuleMesh(0.2, 0.5)}) {
     const Eigen::Affine3f map = placed(random, 60.0, {48, 48});
-    const cv::Mat fronts = whole(castPiece(*mesh, map, kSize, true));
-    EXPECT_LT(cv::norm(fronts, whole(castPiece(*mesh, map, kSize, false)), cv::NORM_INF), 1e-6);
+    const cv::Mat fronts = whole(castPiece({mesh.get(), Eigen::Projective3f(map), true}, kSize));
+    EXPECT_LT(
+        cv::norm(fronts, whole(castPiece({mesh.get(), Eigen::Projective3f(map), false}, kSize)),
+                 cv::NORM_INF),
+        1e-6);
     EXPECT_GT(cv::countNonZero(fronts < 1.0F), 500);
   }
 }
@@ -143,12 +186,12 @@ TEST(ShadowRaster, IsCutAtTheEdgesOfTheMap) {
   std::mt19937 random(9);
   const auto ball = world::sphereMesh(0.4);
   const Eigen::Affine3f map = placed(random, 60.0, {48, 48});
-  const cv::Mat all = whole(castPiece(*ball, map, kSize, false));
+  const cv::Mat all = whole(castPiece({ball.get(), Eigen::Projective3f(map), false}, kSize));
   for (const Eigen::Vector2f& shift :
        {Eigen::Vector2f(40, 0), {-40, 0}, {0, 40}, {0, -40}, {-45, 44}}) {
     Eigen::Affine3f shifted = map;
     shifted.translation().head<2>() += shift;
-    const auto piece = castPiece(*ball, shifted, kSize, false);
+    const auto piece = castPiece({ball.get(), Eigen::Projective3f(shifted), false}, kSize);
     ASSERT_TRUE(piece);
     EXPECT_EQ(piece->texels & cv::Rect(0, 0, kSize, kSize), piece->texels);
     const cv::Mat found = whole(piece);
@@ -159,14 +202,15 @@ TEST(ShadowRaster, IsCutAtTheEdgesOfTheMap) {
   }
   Eigen::Affine3f beside = map;
   beside.translation().x() += 200.0F;
-  EXPECT_FALSE(castPiece(*ball, beside, kSize, false));
+  EXPECT_FALSE(castPiece({ball.get(), Eigen::Projective3f(beside), false}, kSize));
 }
 
 TEST(ShadowRaster, CountsWhatLiesBeforeTheMapAsAtItsBeginning) {
   std::mt19937 random(9);
   Eigen::Affine3f map = placed(random, 60.0, {48, 48});
   map.translation().z() = -3.0F;
-  const auto piece = castPiece(*world::sphereMesh(0.4), map, kSize, true);
+  const auto piece =
+      castPiece({world::sphereMesh(0.4).get(), Eigen::Projective3f(map), true}, kSize);
   ASSERT_TRUE(piece);
   EXPECT_EQ(piece->depths.at<float>(piece->depths.rows / 2, piece->depths.cols / 2), 0.0F);
 }
