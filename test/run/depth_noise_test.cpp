@@ -8,6 +8,7 @@
 #include "run/setup/run_setup.h"
 #include "run_fixture.h"
 #include "support/fake_scene_sink.h"
+#include "support/verification_list.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {
@@ -16,15 +17,6 @@ namespace depth_noise_test {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-class Listener : public output::VerificationListener {
- public:
-  void problem(const std::string& line) override { problems.push_back(line); }
-  void remark(const std::string& /*line*/) override {}
-  void progress(std::int64_t /*scene_count*/, std::int64_t /*of*/) override {}
-
-  std::vector<std::string> problems;
-};
 
 class DepthNoiseTest : public test::RunFixture {
  protected:
@@ -87,7 +79,7 @@ TEST_F(DepthNoiseTest, BelongsToTheSceneAlone) {
 TEST_F(DepthNoiseTest, IsVerified) {
   setNoise("structured_light");
   generate();
-  Listener listener;
+  test::VerificationList listener;
   EXPECT_EQ(verifyDataset(folder, output::VerificationDepth::kLabels, listener).scenes, 4);
   EXPECT_THAT(listener.problems, IsEmpty());
 }

@@ -16,6 +16,7 @@
 #include "run/setup/run_setup.h"
 #include "run_fixture.h"
 #include "support/fake_scene_sink.h"
+#include "support/verification_list.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {
@@ -60,15 +61,6 @@ void writeClouds(Value::Map& parameters) {
   parameters["KittiTracking"] = Value(Value::Map{{"velodyne", Value("top")}});
   for (const char* unused : {"yolo", "bounding_shape", "stvnet"}) parameters.erase(unused);
 }
-
-class Listener : public output::VerificationListener {
- public:
-  void problem(const std::string& line) override { problems.push_back(line); }
-  void remark(const std::string& /*line*/) override {}
-  void progress(std::int64_t /*scene_count*/, std::int64_t /*of*/) override {}
-
-  std::vector<std::string> problems;
-};
 
 class LidarRun : public test::RunFixture {
  protected:
@@ -158,7 +150,7 @@ TEST_F(LidarRun, WritesFilesThatVerifyFindsRight) {
             files.at("Kitti/training/velodyne/000000.bin"));
   EXPECT_EQ(files.at("SemanticKitti/sequences/00/velodyne/000000.bin").size(),
             4 * files.at("SemanticKitti/sequences/00/labels/000000.label").size());
-  Listener listener;
+  test::VerificationList listener;
   output::WriterLoader& writers = *new output::WriterLoader({test::pluginXml()});
   (void)output::verifyDataset(folder, output::VerificationDepth::kLabels, listener, writers);
   EXPECT_THAT(listener.problems, IsEmpty());
@@ -170,7 +162,7 @@ TEST_F(LidarRun, WritesFilesThatVerifyFindsRightOfMotionsThatHaveItAlone) {
   parameters.erase("lidars");
   parameters["motions"] = Value(Value::List{Value(Value::Map{{"lidars", lidars}})});
   (void)filesAnew();
-  Listener listener;
+  test::VerificationList listener;
   output::WriterLoader& writers = *new output::WriterLoader({test::pluginXml()});
   (void)output::verifyDataset(folder, output::VerificationDepth::kLabels, listener, writers);
   EXPECT_THAT(listener.problems, IsEmpty());

@@ -19,6 +19,7 @@
 #include "support/bag_builder.h"
 #include "support/cloud_message.h"
 #include "support/fake_scene_sink.h"
+#include "support/verification_list.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::run {
@@ -37,15 +38,6 @@ using ::testing::SizeIs;
 Value list(const std::vector<double>& numbers) {
   return Value(Value::List(numbers.begin(), numbers.end()));
 }
-
-class Listener : public output::VerificationListener {
- public:
-  void problem(const std::string& line) override { problems.push_back(line); }
-  void remark(const std::string& /*line*/) override {}
-  void progress(std::int64_t /*scene_count*/, std::int64_t /*of*/) override {}
-
-  std::vector<std::string> problems;
-};
 
 class RecordedCloudsRun : public test::RunFixture {
  protected:
@@ -175,7 +167,7 @@ TEST_F(RecordedCloudsRun, WriteFilesThatVerifyFindsRight) {
   const auto files = filesAnew();
   EXPECT_EQ(files.at("SemanticKitti/sequences/00/velodyne/000000.bin").size(),
             4 * files.at("SemanticKitti/sequences/00/labels/000000.label").size());
-  Listener listener;
+  test::VerificationList listener;
   output::WriterLoader& writers = *new output::WriterLoader({test::pluginXml()});
   (void)output::verifyDataset(folder, output::VerificationDepth::kLabels, listener, writers);
   EXPECT_THAT(listener.problems, IsEmpty());

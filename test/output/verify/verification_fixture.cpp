@@ -7,23 +7,10 @@
 #include "config/settings_text.h"
 #include "output/files/digest.h"
 #include "plugins/model_shapes.h"
+#include "support/verification_list.h"
 #include "support/writers/plugin_environment.h"
 
 namespace synthetic_dataset::output {
-namespace {
-
-class Listener : public VerificationListener {
- public:
-  void problem(const std::string& line) override { problems.push_back(line); }
-  void remark(const std::string& line) override { remarks.push_back(line); }
-  void progress(std::int64_t /*scene_count*/, std::int64_t /*of*/) override {}
-
-  std::vector<std::string> problems;
-  std::vector<std::string> remarks;
-};
-
-}  // namespace
-
 VerificationTest::VerificationTest(const std::string& format, bool has_lidar)
     : PluginTest((format.find('/') == std::string::npos ? "synthetic_dataset/" : "") + format) {
   dataset_.classes = {{0, "cup"}, {1, "jug"}};
@@ -140,7 +127,7 @@ std::vector<std::string> VerificationTest::problems(VerificationDepth depth) {
   // Never destroyed: class_loader cannot unload libraries once the program ends, as what it keeps
   // of them may be gone by then.
   static WriterLoader& writers = *new WriterLoader({test::pluginXml(), test::examplePluginXml()});
-  Listener listener;
+  test::VerificationList listener;
   counts_ = verifyDataset(folder_.path().string(), depth, listener, writers);
   remarks_ = listener.remarks;
   return listener.problems;
