@@ -7,13 +7,12 @@
 #include <map>
 #include <set>
 
-#include "base/json_text.h"
-#include "config/settings_text.h"
 #include "output/earlier_dataset.h"
 #include "output/files/file_name_rules.h"
 #include "output/manifest/manifest_content.h"
 #include "run/label_counts.h"
 #include "run/open_output.h"
+#include "run/setup/run_record.h"
 #include "run/setup/run_setup.h"
 #include "synthetic_dataset/errors.h"
 
@@ -52,20 +51,13 @@ std::string named(const FoundShard& shard) {
   return "shard " + output::shardText(shard.place.shard) + " in '" + shard.place.folder + "'";
 }
 
-/// Where a writer of a shard writes in the merged dataset.
-std::string mergedFolder(const std::string& folder, const std::string& shard_folder,
-                         const std::string& output_folder) {
-  if (!output::liesWithin(folder, shard_folder)) return folder;
-  return output_folder + folder.substr(shard_folder.size());
-}
-
 /// Whether a shard's writers write where those of another do, seen from their folders.
 bool writeAlike(const FoundShard& one, const FoundShard& other) {
   const auto& a = one.content.writers;
   const auto& b = other.content.writers;
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& x, const auto& y) {
-    return mergedFolder(x.output_folder, one.place.folder, "") ==
-           mergedFolder(y.output_folder, other.place.folder, "");
+    return movedFolder(x.output_folder, one.place.folder, "") ==
+           movedFolder(y.output_folder, other.place.folder, "");
   });
 }
 
@@ -116,20 +108,6 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
   return problems;
 }
 
-/// The run's parameters, to write into the merged dataset's folder.
-Value mergedParameters(const FoundShard& shard, const std::string& output_folder) {
-  std::map<std::string, std::string> given;
-  for (const auto& [name, setting] : shard.content.run.settings) {
-    if (!setting.is_default) given[name] = setting.value;
-  }
-  given["output_folder"] = base::jsonText(Value(output_folder));
-  for (const output::StoreWriter& writer : shard.content.writers) {
-    given[writer.name + "/output_folder"] = base::jsonText(
-        Value(mergedFolder(writer.output_folder, shard.place.folder, output_folder)));
-  }
-  return config::settingsTree(given);
-}
-
 /// The files of the dataset as a whole follow from the inputs, which must not have changed.
 /// @param now  gets what is known only where scenes are drawn
 void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
@@ -174,8 +152,9 @@ RunSummary mergeShards(const std::string& output_folder,
   const std::vector<std::string> problems = problemsOf(shards);
   if (!problems.empty()) throw ErrorList(problems);
 
-  RunSetup setup = setUpRun(mergedParameters(shards.front(), folder), plugin_xml_files,
-                            [&](const std::string& stage) { reporter.stage(stage); });
+  RunSetup setup =
+      setUpRun(recordedSettings(shards.front().content, shards.front().place.folder, folder),
+               plugin_xml_files, [&](const std::string& stage) { reporter.stage(stage); });
   requireSameRun(shards.front(), setup.description);
   const auto store = openMerged(setup);
   RunSummary summary;

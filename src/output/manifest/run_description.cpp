@@ -30,6 +30,13 @@ void compare(const std::string& what, const Entries& one, const Entries& other,
   }
 }
 
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 120;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
+}  // namespace
+
 std::map<std::string, std::string> givenSettings(const RunDescription& run) {
   std::map<std::string, std::string> given;
   for (const auto& [name, setting] : run.settings) {
@@ -37,13 +44,6 @@ std::map<std::string, std::string> givenSettings(const RunDescription& run) {
   }
   return given;
 }
-
-std::string shortened(const std::string& text) {
-  constexpr std::size_t kLongest = 120;
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
-}
-
-}  // namespace
 
 void describeContents(const DatasetInfo& dataset, RunDescription& run) {
   for (const ClassInfo& each : dataset.classes) run.classes.push_back({each.id, each.name});

@@ -85,6 +85,9 @@ void describeContents(const DatasetInfo& dataset, RunDescription& run);
 [[nodiscard]] std::vector<CreditInfo> creditInfos(
     const std::map<std::string, RunDescription::Credit>& credits);
 
+/// The settings that were given, by full name as JSON.
+[[nodiscard]] std::map<std::string, std::string> givenSettings(const RunDescription& run);
+
 /// SHA-256 over what decides the dataset: the settings that were given, and the inputs.
 [[nodiscard]] std::string settingsDigest(const RunDescription& run);
 

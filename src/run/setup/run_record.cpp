@@ -8,6 +8,7 @@
 #include "config/settings_text.h"
 #include "motion/bag/ros2_bag.h"
 #include "output/files/digest.h"
+#include "output/files/file_name_rules.h"
 #include "randomize/appearance/picture_folder.h"
 #include "randomize/appearance/picture_options.h"
 #include "randomize/placement/map_file.h"
@@ -85,6 +86,22 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
         {"lidars/" + lidar.name + "/frame_id", {base::jsonText(Value(lidar.frame)), true}});
   }
   return settings;
+}
+
+std::string movedFolder(const std::string& folder, const std::string& from, const std::string& to) {
+  if (!output::liesWithin(folder, from)) return folder;
+  return to + folder.substr(from.size());
+}
+
+Value recordedSettings(const output::ManifestContent& content, const std::string& from,
+                       const std::string& to) {
+  std::map<std::string, std::string> given = output::givenSettings(content.run);
+  given["output_folder"] = base::jsonText(Value(to));
+  for (const output::StoreWriter& writer : content.writers) {
+    given[writer.name + "/output_folder"] =
+        base::jsonText(Value(movedFolder(writer.output_folder, from, to)));
+  }
+  return config::settingsTree(given);
 }
 
 std::map<std::string, std::string> softwareVersions() {

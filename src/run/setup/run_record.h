@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "output/manifest/manifest_content.h"
 #include "output/manifest/run_description.h"
 #include "run/setup/motion_setup.h"
 #include "synthetic_dataset/label_writer.h"
@@ -20,6 +21,15 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::map<std::string, output::RunDescription::Setting> usedSettings(
     const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
     const std::map<std::string, Value>& defaults);
+
+/// Where a writer writes once its dataset lies in another folder.
+[[nodiscard]] std::string movedFolder(const std::string& folder, const std::string& from,
+                                      const std::string& to);
+
+/// The settings again of a run that left a manifest.
+/// @param from, to  where its dataset lies, and where one of these settings is to lie
+[[nodiscard]] Value recordedSettings(const output::ManifestContent& content,
+                                     const std::string& from, const std::string& to);
 
 /// Names and versions of what shapes a dataset's bytes, but for OpenGL's: who draws knows it.
 [[nodiscard]] std::map<std::string, std::string> softwareVersions();
