@@ -263,24 +263,28 @@ bool WrittenDataset::listsTemporary(const std::string& path) const {
 }
 
 void WrittenDataset::forEachScene(const std::function<void(const SceneFacts&)>& visit) const {
-  base::SqliteStatement rows(
+  for (const std::int64_t index : scenes()) visit(facts(index));
+}
+
+SceneFacts WrittenDataset::facts(std::int64_t index) const {
+  base::SqliteStatement row(
       database_,
       "SELECT \"index\", stamp_ns, instant, camera, split, seed, x, y, z, qx, qy, qz, qw, width, "
-      "height FROM scene WHERE state IN ('written', 'complete') ORDER BY \"index\"");
-  while (rows.step()) {
-    SceneFacts scene;
-    scene.index = rows.integer(0);
-    scene.stamp = Stamp(rows.integer(1));
-    scene.instant = rows.integer(2);
-    scene.camera = rows.text(3);
-    scene.split = rows.text(4);
-    scene.seed = static_cast<std::uint64_t>(rows.integer(5));
-    scene.X_GC = poseAt(rows, 6);
-    scene.width = static_cast<int>(rows.integer(13));
-    scene.height = static_cast<int>(rows.integer(14));
-    addMeasures(scene);
-    visit(scene);
-  }
+      "height FROM scene WHERE \"index\" = ?");
+  row.start(index);
+  if (!row.step()) throw Error("the manifest has no scene " + std::to_string(index));
+  SceneFacts scene;
+  scene.index = row.integer(0);
+  scene.stamp = Stamp(row.integer(1));
+  scene.instant = row.integer(2);
+  scene.camera = row.text(3);
+  scene.split = row.text(4);
+  scene.seed = static_cast<std::uint64_t>(row.integer(5));
+  scene.X_GC = poseAt(row, 6);
+  scene.width = static_cast<int>(row.integer(13));
+  scene.height = static_cast<int>(row.integer(14));
+  addMeasures(scene);
+  return scene;
 }
 
 void WrittenDataset::addMeasures(SceneFacts& scene) const {

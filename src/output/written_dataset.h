@@ -119,6 +119,9 @@ class WrittenDataset {
   /// All scenes that are there, in their order.
   void forEachScene(const std::function<void(const SceneFacts&)>& visit) const;
 
+  /// All that is known of one. @throws Error when the manifest does not have it
+  [[nodiscard]] SceneFacts facts(std::int64_t index) const;
+
   /// The files of a scene, or of the dataset as a whole, writer by writer in the order of their
   /// names.
   void forEachFileOf(const std::optional<std::int64_t>& scene,

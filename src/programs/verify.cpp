@@ -1,10 +1,11 @@
 /// The tool `verify`: checks datasets against their manifests, file by file and label by label.
 ///
-///   rosrun synthetic_dataset verify [--quick] DATASET...
+///   rosrun synthetic_dataset verify [--quick | --redraw] DATASET...
 ///
 /// DATASET is the folder of a run's manifest, or of those of its shards. A line on the standard
 /// output for each problem; exit code 0 without any, 1 with some, 2 for a wrong usage. With
-/// --quick, only that the files are there and have their sizes, beside the manifest itself.
+/// --quick, only that the files are there and have their sizes, beside the manifest itself; with
+/// --redraw, whether its inputs make the same scenes again, too.
 
 #include <unistd.h>
 
@@ -16,6 +17,8 @@
 
 #include "base/printable_text.h"
 #include "output/verify/dataset_verifier.h"
+#include "programs/console/heap.h"
+#include "run/redraw.h"
 
 namespace {
 
@@ -62,14 +65,16 @@ class Console : public output::VerificationListener {
 };
 
 constexpr const char* kUsage =
-    R"(usage: verify [--quick] DATASET...
+    R"(usage: verify [--quick | --redraw] DATASET...
 
 Checks datasets against their manifests, file by file and label by label. DATASET is the
 folder of a run's manifest, or of those of its shards. Prints a line for each problem;
 lines that begin with `note:` are none.
 
-  --quick  checks that all files are there and have their sizes, and no labels
-  --help   prints this
+  --quick   checks that all files are there and have their sizes, and no labels
+  --redraw  also draws all scenes again and compares them with the files; needs all inputs
+            where they were, such as bags and worlds, and takes as long as the run did
+  --help    prints this
 
   verify /data/run_7
 
@@ -84,7 +89,10 @@ int wrongUsage() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  programs::heap::prepare();
   output::VerificationDepth depth = output::VerificationDepth::kLabels;
+  Console console;
+  output::DrawAgain draw_again;
   std::vector<std::string> folders;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -94,27 +102,35 @@ int main(int argc, char** argv) {
     }
     if (argument == "--quick") {
       depth = output::VerificationDepth::kSizes;
+    } else if (argument == "--redraw") {
+      draw_again = [&console](const auto& dataset, auto& verifier) {
+        run::redraw(dataset, verifier, console);
+      };
     } else if (argument.empty() || argument.front() == '-') {
       return wrongUsage();
     } else {
       folders.push_back(argument);
     }
   }
-  if (folders.empty()) return wrongUsage();
-  Console console;
+  const bool is_quick = depth == output::VerificationDepth::kSizes;
+  if (folders.empty() || (is_quick && draw_again)) return wrongUsage();
   output::VerificationCounts counts;
   for (const std::string& folder : folders) {
     try {
-      const output::VerificationCounts of_one = output::verifyDataset(folder, depth, console);
+      const output::VerificationCounts of_one =
+          output::verifyDataset(folder, depth, console, draw_again);
       counts.scenes += of_one.scenes;
       counts.files += of_one.files;
       counts.labels += of_one.labels;
+      counts.drawn += of_one.drawn;
     } catch (const std::exception& error) {
       console.problem("'" + folder + "': " + error.what());
     }
   }
   console.clearProgress();
   std::cout << counts.scenes << " scenes, " << counts.files << " files, " << counts.labels
-            << " labels checked, " << console.problems() << " problems\n";
+            << " labels checked, "
+            << (draw_again ? std::to_string(counts.drawn) + " scenes drawn again, " : "")
+            << console.problems() << " problems\n";
   return console.problems() == 0 ? 0 : 1;
 }

@@ -13,6 +13,7 @@
 #include "output/manifest/manifest_checks.h"
 #include "output/verify/scene_verifier.h"
 #include "output/written_dataset.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -41,8 +42,12 @@ std::string stateProblem(const output::ManifestContent& content) {
 class Verification {
  public:
   Verification(const std::string& folder, VerificationDepth depth, WriterLoader* loader,
-               VerificationListener& listener)
-      : folder_(folder), depth_(depth), loader_(loader), listener_(listener) {}
+               VerificationListener& listener, const DrawAgain& draw_again)
+      : folder_(folder),
+        depth_(depth),
+        loader_(loader),
+        listener_(listener),
+        draw_again_(draw_again) {}
 
   VerificationCounts run() {
     const std::vector<std::string> manifests = manifestsIn(folder_);
@@ -102,6 +107,20 @@ class Verification {
       listener_.progress(++done, count);
     });
     verifier.verifyDatasetValues();
+    if (draw_again_) drawAgain(dataset, verifier);
+  }
+
+  void drawAgain(const WrittenDataset& dataset, SceneVerifier& verifier) {
+    const auto report = [&](const std::string& what) {
+      listener_.problem("'" + dataset.manifest() + "' cannot be drawn again: " + what);
+    };
+    try {
+      draw_again_(dataset, verifier);
+    } catch (const ErrorList& errors) {
+      for (const std::string& each : errors.messages()) report(each);
+    } catch (const std::exception& error) {
+      report(error.what());
+    }
   }
 
   void findStrayFiles() {
@@ -164,34 +183,39 @@ class Verification {
   VerificationDepth depth_;
   WriterLoader* loader_;
   VerificationListener& listener_;
+  const DrawAgain& draw_again_;
   std::vector<std::unique_ptr<WrittenDataset>> datasets_;
   VerificationCounts counts_;
 };
 
 VerificationCounts verified(const std::string& folder, VerificationDepth depth,
-                            WriterLoader* loader, VerificationListener& listener) {
+                            WriterLoader* loader, VerificationListener& listener,
+                            const DrawAgain& draw_again) {
   std::string absolute = output::absolutePath(folder);
   if (absolute.size() > 1 && absolute.back() == '/') absolute.pop_back();
-  return Verification(absolute, depth, loader, listener).run();
+  return Verification(absolute, depth, loader, listener, draw_again).run();
 }
 
 }  // namespace
 
 VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
-                                 VerificationListener& listener) {
-  if (depth == VerificationDepth::kSizes) return verified(folder, depth, nullptr, listener);
+                                 VerificationListener& listener, const DrawAgain& draw_again) {
+  if (depth == VerificationDepth::kSizes) {
+    return verified(folder, depth, nullptr, listener, draw_again);
+  }
   std::unique_ptr<WriterLoader> writers;
   try {
     writers = std::make_unique<WriterLoader>(std::vector<std::string>());
   } catch (const std::exception& error) {
     listener.remark(std::string("labels are not checked: ") + error.what());
   }
-  return verified(folder, depth, writers.get(), listener);
+  return verified(folder, depth, writers.get(), listener, draw_again);
 }
 
 VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
-                                 VerificationListener& listener, WriterLoader& writers) {
-  return verified(folder, depth, &writers, listener);
+                                 VerificationListener& listener, WriterLoader& writers,
+                                 const DrawAgain& draw_again) {
+  return verified(folder, depth, &writers, listener, draw_again);
 }
 
 }  // namespace synthetic_dataset::output

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "output/writers/writer_loader.h"
@@ -32,19 +33,29 @@ struct VerificationCounts {
   std::int64_t scenes = 0;
   std::int64_t files = 0;
   std::int64_t labels = 0;
+  std::int64_t drawn = 0;  ///< scenes that were drawn again
 };
+
+class SceneVerifier;
+class WrittenDataset;
+
+/// Draws a dataset's scenes again for SceneVerifier::verifyDrawn. What it throws is a problem.
+using DrawAgain = std::function<void(const WrittenDataset& dataset, SceneVerifier& verifier)>;
 
 /// Checks a dataset against its manifest, or those of its shards: the manifest itself, every file,
 /// and every value in them, by running the writers again. Only one scene is held at a time. Where
 /// there are no writers, as the workspace is not sourced, a remark says that labels are not
 /// checked.
 /// @param folder  of the manifest
+/// @param draw_again  called for each manifest at the end, where it is given
 [[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
-                                               VerificationListener& listener);
+                                               VerificationListener& listener,
+                                               const DrawAgain& draw_again = {});
 
 /// The same with writers that are at hand.
 [[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
                                                VerificationListener& listener,
-                                               WriterLoader& writers);
+                                               WriterLoader& writers,
+                                               const DrawAgain& draw_again = {});
 
 }  // namespace synthetic_dataset::output

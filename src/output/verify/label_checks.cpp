@@ -255,4 +255,30 @@ std::vector<std::string> labelProblems(const formats::LabelledPicture& found,
   return problems;
 }
 
+std::vector<std::string> poseProblems(const SceneFacts& found, const SceneFacts& drawn,
+                                      const RunDescription& run) {
+  std::vector<std::string> problems;
+  const auto compare = [&](const std::string& of, const std::optional<Pose>& one,
+                           const std::optional<Pose>& other) {
+    if (one && other ? areNear(*one, *other) : one.has_value() == other.has_value()) return;
+    problems.push_back(
+        of + difference("pose", one ? text(*one) : "none", other ? text(*other) : "none"));
+  };
+  if (found.stamp != drawn.stamp) {
+    problems.push_back(difference("time", std::to_string(found.stamp.count()) + " ns",
+                                  std::to_string(drawn.stamp.count())));
+  }
+  compare("camera '" + drawn.camera + "': ", found.X_GC, drawn.X_GC);
+  for (std::size_t i = 0; i < std::min(found.objects.size(), drawn.objects.size()); ++i) {
+    const std::string of = "object '" + run.objects.at(i).name + "': ";
+    compare(of, found.objects[i].X_GO, drawn.objects[i].X_GO);
+    const auto seen = found.objects[i].visible_pixels;
+    const auto drawn_seen = drawn.objects[i].visible_pixels;
+    if (seen == drawn_seen) continue;
+    problems.push_back(of + difference("number of visible pixels", std::to_string(seen.value_or(0)),
+                                       std::to_string(drawn_seen.value_or(0))));
+  }
+  return problems;
+}
+
 }  // namespace synthetic_dataset::output

@@ -17,4 +17,10 @@ namespace synthetic_dataset::output {
                                                      const SceneFacts& facts,
                                                      const RunDescription& run);
 
+/// How the time, the poses and the pixels that the manifest has of a scene differ from those of a
+/// new drawing.
+[[nodiscard]] std::vector<std::string> poseProblems(const SceneFacts& found,
+                                                    const SceneFacts& drawn,
+                                                    const RunDescription& run);
+
 }  // namespace synthetic_dataset::output

@@ -1,6 +1,7 @@
 #include "output/verify/scene_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <opencv2/core.hpp>
@@ -8,7 +9,9 @@
 
 #include "base/image/image_encoder.h"
 #include "output/files/file_name_rules.h"
+#include "output/scene_contents.h"
 #include "plugins/readback/files.h"
+#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::output {
 namespace {
@@ -33,17 +36,23 @@ cv::Mat pixelsOf(const OutputFile& file) {
   return colours;
 }
 
-/// How many values of pixels differ; NaN is NaN.
-int differing(const cv::Mat& one, const cv::Mat& other) {
-  int count = 0;
+/// How many pixels differ; NaN is NaN.
+std::size_t differing(const cv::Mat& one, const cv::Mat& other) {
+  std::size_t count = 0;
   for (int row = 0; row < one.rows; ++row) {
     const std::size_t size = one.elemSize() * static_cast<std::size_t>(one.cols);
     if (std::memcmp(one.ptr(row), other.ptr(row), size) == 0) continue;
-    for (std::size_t at = 0; at < size; at += one.elemSize1()) {
-      count += std::memcmp(one.ptr(row) + at, other.ptr(row) + at, one.elemSize1()) == 0 ? 0 : 1;
+    for (std::size_t at = 0; at < size; at += one.elemSize()) {
+      count += std::memcmp(one.ptr(row) + at, other.ptr(row) + at, one.elemSize()) == 0 ? 0 : 1;
     }
   }
   return count;
+}
+
+/// By how much a pixel's value differs at most.
+std::string greatestDifference(const cv::Mat& one, const cv::Mat& other) {
+  const double most = cv::norm(one, other, cv::NORM_INF);
+  return one.depth() < CV_32F ? std::to_string(std::llround(most)) : fixed(most, 6);
 }
 
 bool areAlike(const cv::Mat& one, const cv::Mat& other) {
@@ -55,8 +64,9 @@ void comparePixels(const std::string& path, const cv::Mat& right, const std::str
   const cv::Mat found = formats::readPicture(path, cv::IMREAD_UNCHANGED);
   if (!areAlike(found, right)) {
     differences.add(name, kindOf(found), kindOf(right));
-  } else if (const int count = differing(found, right); count > 0) {
-    differences.add(name + ": found " + std::to_string(count) + " wrong values of pixels");
+  } else if (const std::size_t count = differing(found, right); count > 0) {
+    differences.add(name + ": " + std::to_string(count) + " of " + std::to_string(right.total()) +
+                    " pixels differ, by up to " + greatestDifference(found, right));
   }
 }
 
@@ -67,8 +77,15 @@ const OutputFile* fileAt(const std::string& path, const SceneFiles& files) {
 }
 
 /// @return  whether anybody knows what is right
-bool compareFile(const OutputFile& right, const OutputFile& other, const std::string& name,
-                 formats::Differences& differences) {
+bool compareFile(const RewrittenScene& scene, const OutputFile& right, const OutputFile& other,
+                 const std::string& name, formats::Differences& differences) {
+  const bool is_jpeg = base::imageFormat(right.path) == base::ImageFormat::kJpeg;
+  if (is_jpeg && scene.drawn_quality) {
+    const std::vector<uchar> bytes =
+        encodeScene({right}, *scene.drawn_quality, scene.result.files.recorded).front().encoded;
+    comparePixels(right.path, cv::imdecode(bytes, cv::IMREAD_UNCHANGED), name, differences);
+    return true;
+  }
   const cv::Mat pixels = pixelsOf(right);
   if (pixels.empty()) {
     if (!formats::isText(right.text) && other.text != right.text) return false;
@@ -77,8 +94,7 @@ bool compareFile(const OutputFile& right, const OutputFile& other, const std::st
     return true;
   }
   const cv::Mat others = &other == &right ? pixels : pixelsOf(other);
-  const bool is_lossy = base::imageFormat(right.path) == base::ImageFormat::kJpeg;
-  if (is_lossy || !areAlike(pixels, others) || differing(pixels, others) > 0) return false;
+  if (is_jpeg || !areAlike(pixels, others) || differing(pixels, others) > 0) return false;
   comparePixels(right.path, pixels, name, differences);
   return true;
 }
@@ -140,7 +156,7 @@ std::string compareScene(const FoundScene& found, const RewrittenScene& right,
     if (left.erase(each.path) == 0) {
       differences.add("there is no file '" + name + "'; it should be there");
     } else if (found.checked.count(each.path) == 0) {
-      if (other == nullptr || !compareFile(each, *other, name, differences)) unknown = name;
+      if (other == nullptr || !compareFile(right, each, *other, name, differences)) unknown = name;
     }
   }
   for (const std::string& path : left) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/image/image_encoder.h"
 #include "output/store_types.h"
 #include "output/writers/ready_writer.h"
 #include "plugins/readback/differences.h"
@@ -26,6 +27,8 @@ struct FoundScene {
 struct RewrittenScene {
   ReadyWriter::SceneResult result;
   std::optional<ReadyWriter::SceneResult> other = {};
+  /// Of a scene that was drawn again, whose pictures are all known: of its JPEG files.
+  std::optional<base::ImageQuality> drawn_quality = {};
 };
 
 /// Compares them file by file, and what the manifest keeps.

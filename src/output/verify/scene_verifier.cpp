@@ -342,8 +342,12 @@ void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const W
   }
   if (differences.empty()) return;
   std::vector<std::string> lines = wrongLabels(facts, writer, files, right.result.files);
-  if (lines.empty()) lines = differences.lines();
-  for (const std::string& line : lines) report(writer, originOf(facts, writer) + line);
+  if (lines.empty() || right.drawn_quality) {
+    const std::vector<std::string> of_files = differences.lines();
+    lines.insert(lines.end(), of_files.begin(), of_files.end());
+  }
+  const std::string origin = (right.drawn_quality ? kDrawnAgain : "") + originOf(facts, writer);
+  for (const std::string& line : lines) report(writer, origin + line);
 }
 
 std::vector<std::string> SceneVerifier::wrongLabels(const SceneFacts& facts, std::size_t writer,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/image/image_encoder.h"
 #include "output/file_checks.h"
 #include "output/verify/dataset_verifier.h"
 #include "output/verify/right_files.h"
@@ -17,6 +18,14 @@
 #include "plugins/readback/format.h"
 
 namespace synthetic_dataset::output {
+
+/// A scene of a dataset, as it is when it is drawn again.
+struct DrawnScene {
+  const Scene& scene;
+  const SceneFacts& facts;
+  RecordedJpeg recorded;
+  base::ImageQuality quality;
+};
 
 /// Verifies a dataset's files and labels scene by scene: each writer is given once more what it was
 /// given by the run, as the manifest and the pictures have it, and what it makes of that is held
@@ -36,7 +45,12 @@ class SceneVerifier {
   /// What the files of the dataset as a whole hold, after all scenes.
   void verifyDatasetValues();
 
+  /// Compares a scene's files, and what the manifest has of it, with a new drawing.
+  void verifyDrawn(const DrawnScene& drawn);
+
  private:
+  static constexpr const char* kDrawnAgain = "drawn again, ";
+
   /// What one writer made of a scene, or of the dataset as a whole.
   struct WrittenFiles {
     std::vector<ListedFile> listed;
