@@ -17,8 +17,9 @@ inline namespace v2 {
 /// 640 x 480 px, f = 500 px, its centre at (320, 240) px, from 0.05 to 100 m.
 [[nodiscard]] CameraModel handMadeCamera();
 
-/// An object of the class "<name>_class" with the number 0 and the id "<name>_id", in view at
-/// p_GO = p_CO = (0, 0, 10) m without turn, but with no pixel to be seen. No keypoints.
+/// An object of the class "<name>_class" with the number 0 and the id "<name>_id" at
+/// p_GO = p_CO = (0, 0, 10) m without turn. Nothing of it is in view: it has no boxes, no pixels
+/// and no keypoints.
 [[nodiscard]] SceneObject handMadeObject(const std::string& name);
 
 /// The same with all measures of a cube of one metre that covers these pixels and that nothing

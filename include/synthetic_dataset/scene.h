@@ -85,9 +85,6 @@ struct SceneObject {
   /// cut to the image. Nothing when the whole shape is behind the camera.
   std::optional<Box> loose_box;
 
-  /// Whether the projected box shares any area with the image.
-  bool in_view = false;
-
   /// The silhouette (amodal mask) in the image: the object as if nothing stood in front of it. With
   /// `masks/method: mog2`, what the static world hides is not in it either.
   Required<Mask> silhouette{"SceneObject::silhouette", "silhouettes"};
@@ -111,6 +108,12 @@ struct SceneObject {
   /// It is not in the scene, or too little of it is visible for the parameters
   /// `labels/min_visibility` and `labels/min_pixels`.
   bool dropped = false;
+
+  /// Whether the projected box shares any area with the image.
+  /// @param camera  the scene's
+  [[nodiscard]] bool inView(const CameraModel& camera) const {
+    return loose_box && intersection(*loose_box, camera.imageBounds());
+  }
 
   /// From the camera's centre to the origin of the object's frame [m].
   /// @throws Error where it is not in the scene

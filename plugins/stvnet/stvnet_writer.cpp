@@ -51,7 +51,7 @@ class StvNetWriter : public LabelWriter {
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     for (const SceneObject& object : scene.objects) {
-      if (!object.X_CO || !object.in_view || object.dropped) continue;
+      if (!object.X_CO || !object.inView(scene.camera) || object.dropped) continue;
       if (object.keypoints_O.size() != kKeypoints) {
         output.addWarning(object.name + ": stvNet reads " + std::to_string(kKeypoints) +
                           " keypoints of an object, and this one has " +

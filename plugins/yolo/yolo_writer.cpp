@@ -123,7 +123,7 @@ class YoloWriter : public LabelWriter {
 
   /// An object's line; nothing for one of which no area is in view.
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
-    if (!object.in_view || object.dropped || !object.loose_box) return "";
+    if (!object.inView(camera) || object.dropped) return "";
     const double width = camera.width();
     const double height = camera.height();
     const auto box = yoloBox(*object.loose_box, options_, width, height);

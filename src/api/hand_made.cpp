@@ -35,7 +35,6 @@ SceneObject handMadeObject(const std::string& name) {
   object.id = name + "_id";
   object.X_GO->translation() = Eigen::Vector3d(0.0, 0.0, 10.0);
   object.X_CO = object.X_GO;
-  object.in_view = true;
   object.silhouette = Mask(kImageSize);
   object.silhouette_box = std::nullopt;
   object.pixels.silhouette = object.pixels.silhouette_in_image = 0;

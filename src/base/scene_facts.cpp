@@ -22,7 +22,6 @@ ObjectFacts objectFacts(const SceneObject& object) {
   ObjectFacts facts;
   facts.X_GO = object.X_GO;
   facts.distance = object.X_CO ? std::optional(object.distance()) : std::nullopt;
-  facts.in_view = object.in_view;
   facts.dropped = object.dropped;
   facts.loose_box = object.loose_box;
   facts.silhouette_box = ifKnown(object.silhouette_box);

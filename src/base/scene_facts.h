@@ -36,7 +36,6 @@ struct CoverFacts {
 struct ObjectFacts {
   std::optional<Pose> X_GO = Pose::Identity();
   std::optional<double> distance = 0.0;  ///< [m]; nothing without a pose
-  bool in_view = false;
   bool dropped = false;
   std::optional<Box> loose_box = {};
   std::optional<Box> silhouette_box = {};

@@ -38,7 +38,7 @@ PendingMasks MaskFinder::find(const TakenView& view, const std::vector<SceneObje
   for (std::size_t i = 0; i < objects.size(); ++i) {
     object_links_.push_back(presentOf(all_object_links_[i], view.present()));
     boxes.emplace_back();
-    if (!objects[i].in_view) continue;
+    if (!objects[i].inView(view.camera())) continue;
     // Not its own box: the shape that the user gives may be smaller than what is seen.
     const cv::Rect reach = view.reach(object_links_[i], renderer_);
     boxes.back() = reach & cv::Rect(cv::Point(), size);

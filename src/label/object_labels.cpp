@@ -32,8 +32,6 @@ SceneObject labelObject(const ObjectShape& shape, const std::optional<Pose>& X_G
   std::vector<Eigen::Vector3d> shape_C;
   for (const Eigen::Vector3d& p_O : shape.bounding_shape_O) shape_C.push_back(X_CO * p_O);
   object.loose_box = camera.projectedBounds(shape_C);
-  object.in_view =
-      object.loose_box && intersection(*object.loose_box, camera.imageBounds()).has_value();
   return object;
 }
 

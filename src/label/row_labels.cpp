@@ -36,8 +36,6 @@ std::vector<Eigen::Vector3d> placedObject(const RowFinder& rows, std::size_t ind
     shape_C.push_back(found ? found->p_C : *object.X_CO * p_O);
   }
   object.loose_box = camera.projectedBounds(shape_C);
-  object.in_view =
-      object.loose_box && intersection(*object.loose_box, camera.imageBounds()).has_value();
   return keypoints_C;
 }
 

@@ -70,16 +70,15 @@ ObjectFacts objectAt(const base::SqliteStatement& row) {
   ObjectFacts facts;
   facts.X_GO = row.isNull(0) ? std::nullopt : std::optional(poseAt(row, 0));
   facts.distance = numberAt(row, 7);
-  facts.in_view = row.integer(8) != 0;
-  facts.loose_box = boxAt(row, 9);
-  facts.silhouette_box = boxAt(row, 13);
-  facts.visible_box = boxAt(row, 17);
-  facts.silhouette_pixels = countAt(row, 21);
-  facts.visible_pixels = countAt(row, 22);
-  facts.visibility = numberAt(row, 23);
-  facts.truncation = numberAt(row, 24);
-  facts.dropped = row.integer(25) != 0;
-  facts.mask_agreement = numberAt(row, 26);
+  facts.loose_box = boxAt(row, 8);
+  facts.silhouette_box = boxAt(row, 12);
+  facts.visible_box = boxAt(row, 16);
+  facts.silhouette_pixels = countAt(row, 20);
+  facts.visible_pixels = countAt(row, 21);
+  facts.visibility = numberAt(row, 22);
+  facts.truncation = numberAt(row, 23);
+  facts.dropped = row.integer(24) != 0;
+  facts.mask_agreement = numberAt(row, 25);
   return facts;
 }
 
@@ -290,7 +289,7 @@ SceneFacts WrittenDataset::facts(std::int64_t index) const {
 void WrittenDataset::addMeasures(SceneFacts& scene) const {
   base::SqliteStatement objects(
       database_,
-      "SELECT x, y, z, qx, qy, qz, qw, distance, in_view, loose_left, loose_top, loose_right, "
+      "SELECT x, y, z, qx, qy, qz, qw, distance, loose_left, loose_top, loose_right, "
       "loose_bottom, silhouette_left, silhouette_top, silhouette_right, silhouette_bottom, "
       "visible_left, visible_top, visible_right, visible_bottom, silhouette_pixels, "
       "visible_pixels, visibility, truncation, dropped, mask_agreement FROM scene_object WHERE "

@@ -62,7 +62,7 @@ std::vector<lidar::LinkLabel> linkLabels(const MotionSetup& motion) {
 /// Warns of objects in view that are not drawn, as they are farther away than the camera sees.
 void warnOfFar(const Scene& scene, std::vector<base::Warning>& warnings) {
   for (const SceneObject& object : scene.objects) {
-    if (!object.X_CO || !object.in_view) continue;
+    if (!object.X_CO || !object.inView(scene.camera)) continue;
     const double radius = 0.5 * object.cuboid_O.size().norm();
     const double nearest = (*object.X_CO * object.cuboid_O.centre()).z() - radius;
     if (nearest <= scene.camera.far()) continue;

@@ -79,12 +79,12 @@ TEST(LabelObject, LooseBoxIsRoundTheProjectedShape) {
   ASSERT_TRUE(object.loose_box);
   EXPECT_NEAR(object.loose_box->left, 319.5 - 0.5 / 2.5 * 500, 1e-9);
   EXPECT_NEAR(object.loose_box->bottom, 239.5 + 0.5 / 2.5 * 500, 1e-9);
-  EXPECT_TRUE(object.in_view);
+  EXPECT_TRUE(object.inView(kCamera));
 }
 
 TEST(LabelObject, IsInViewWhileAnyAreaOfItsBoxIs) {
   const auto inView = [](double x) {
-    return labelObject(cube(), at(x, 0, 3), Pose::Identity(), kCamera).in_view;
+    return labelObject(cube(), at(x, 0, 3), Pose::Identity(), kCamera).inView(kCamera);
   };
   // The near face's left edge meets the image's right edge (639.5) at x - 0.5 = 320 / 500 * 2.5;
   // the far face's at x - 0.5 = 320 / 500 * 3.5, which is reached last.
@@ -95,12 +95,12 @@ TEST(LabelObject, IsInViewWhileAnyAreaOfItsBoxIs) {
 TEST(LabelObject, BehindTheCameraThereIsNoBox) {
   const SceneObject object = labelObject(cube(), at(0, 0, -3), Pose::Identity(), kCamera);
   EXPECT_FALSE(object.loose_box);
-  EXPECT_FALSE(object.in_view);
+  EXPECT_FALSE(object.inView(kCamera));
 }
 
 TEST(LabelObject, NotInTheSceneItHasNothingThatFollowsFromAPose) {
   const SceneObject object = labelObject(cube(), std::nullopt, Pose::Identity(), kCamera);
-  EXPECT_FALSE(object.X_GO || object.X_CO || object.loose_box || object.in_view);
+  EXPECT_FALSE(object.X_GO || object.X_CO || object.loose_box);
   EXPECT_TRUE(object.dropped);
   ASSERT_EQ(object.keypoints.size(), 1U) << "as many as in other scenes";
   EXPECT_FALSE(object.keypoints[0].pixel);
@@ -112,7 +112,7 @@ TEST(LabelObject, NotInTheSceneItHasNothingThatFollowsFromAPose) {
 TEST(LabelObject, AroundTheCameraTheBoxCoversTheImage) {
   const SceneObject object = labelObject(cube(), at(0, 0, 0), Pose::Identity(), kCamera);
   ASSERT_TRUE(object.loose_box);
-  EXPECT_TRUE(object.in_view);
+  EXPECT_TRUE(object.inView(kCamera));
   EXPECT_LT(object.loose_box->left, -0.5);
   EXPECT_GT(object.loose_box->right, 639.5);
 }

@@ -84,7 +84,7 @@ Json cloud(const Cloud& given) {
   return {{"X_GS", matrix(given.X_GS)}, {"points", std::move(points)}};
 }
 
-Json object(const SceneObject& given) {
+Json object(const SceneObject& given, const CameraModel& camera) {
   Json keypoints = Json::array();
   for (const Keypoint& each : given.keypoints) keypoints.push_back(keypoint(each));
   const Cuboid& cuboid = given.cuboid_O;
@@ -100,7 +100,7 @@ Json object(const SceneObject& given) {
           {"keypoints", keypoints},
           {"cuboid_O", {numbers(cuboid.low), numbers(cuboid.high)}},
           {"loose_box", box(given.loose_box)},
-          {"in_view", given.in_view},
+          {"in_view", given.inView(camera)},
           {"silhouette_box", box(given.silhouette_box())},
           {"visible_box", box(given.visible_box())},
           {"silhouette_pixels", given.pixels.silhouette()},
@@ -152,7 +152,7 @@ class TruthWriter : public LabelWriter {
     output.addImage(scene.name + ".classes.png", scene.class_map());
     output.addImage(scene.name + ".depth.tiff", scene.depth());
     for (const SceneObject& each : scene.objects) {
-      json["objects"].push_back(object(each));
+      json["objects"].push_back(object(each, scene.camera));
       const std::string number = std::to_string(each.instance);
       output.addMask(scene.name + ".silhouette_" + number + ".png", each.silhouette());
       output.addMask(scene.name + ".visible_" + number + ".png", each.visible_mask());

@@ -126,7 +126,7 @@ TEST_F(DatasetStoreTest, ListsWhatWasMeasuredAndNothingElse) {
   SceneFacts facts{0, Stamp{0}};
   ObjectFacts seen;
   seen.X_GO = Pose(Eigen::Translation3d(1.0, 2.0, 3.0));
-  seen.in_view = true;
+  seen.loose_box = Box{-10.5, -0.5, 8.5, 20.5};
   seen.visible_box = Box{0.5, 1.5, 10.5, 20.5};
   seen.visible_pixels = 12;
   seen.visibility = 0.25;
@@ -137,7 +137,7 @@ TEST_F(DatasetStoreTest, ListsWhatWasMeasuredAndNothingElse) {
   store->commitScene(facts, {{}, {}});
   EXPECT_THAT(query("SELECT object, x, y, z, qw, in_view, visible_left, visible_bottom, "
                     "visible_pixels, visibility, truncation, loose_left FROM scene_object"),
-              ElementsAre("0|1.0|2.0|3.0|1.0|1|0.5|20.5|12|0.25|NULL|NULL",
+              ElementsAre("0|1.0|2.0|3.0|1.0|1|0.5|20.5|12|0.25|NULL|-10.5",
                           "1|0.0|0.0|0.0|1.0|0|NULL|NULL|NULL|NULL|NULL|NULL"));
   EXPECT_THAT(query("SELECT first, second, depth FROM contact"), ElementsAre("alpha|wall|0.02"));
   EXPECT_THAT(query("SELECT * FROM draw ORDER BY name"),

@@ -269,15 +269,17 @@ void Manifest::withdraw(const std::string& path) {
 }
 
 void Manifest::insertMeasures(const SceneFacts& scene) {
+  const Box image{-0.5, -0.5, scene.width - 0.5, scene.height - 0.5};
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const ObjectFacts& each = scene.objects[i];
+    const bool is_in_view = each.loose_box && intersection(*each.loose_box, image);
     using Number = std::optional<double>;
     const Eigen::Vector3d p = each.X_GO.value_or(Pose::Identity()).translation();
     const Eigen::Quaterniond q(each.X_GO.value_or(Pose::Identity()).linear());
     const auto ifThere = [&](double number) { return each.X_GO ? Number(number) : std::nullopt; };
     insert_object_.run(scene.index, signedIndex(i), ifThere(p.x()), ifThere(p.y()), ifThere(p.z()),
                        ifThere(q.x()), ifThere(q.y()), ifThere(q.z()), ifThere(q.w()),
-                       each.distance, flag(each.in_view), left(each.loose_box), top(each.loose_box),
+                       each.distance, flag(is_in_view), left(each.loose_box), top(each.loose_box),
                        right(each.loose_box), bottom(each.loose_box), left(each.silhouette_box),
                        top(each.silhouette_box), right(each.silhouette_box),
                        bottom(each.silhouette_box), left(each.visible_box), top(each.visible_box),

@@ -59,7 +59,6 @@ void addMeasures(const ObjectFacts& facts, const Pose& X_CG, SceneObject& object
   object.X_GO = facts.X_GO;
   object.X_CO.reset();
   if (facts.X_GO) object.X_CO = X_CG * *facts.X_GO;
-  object.in_view = facts.in_view;
   object.dropped = facts.dropped;
   object.loose_box = facts.loose_box;
   object.cuboid_O = facts.cuboid_O;

@@ -141,7 +141,7 @@ std::string hiddenBy(const Scene& scene, const SceneObject& object, const NamedR
 /// @param object  that is in the scene
 std::string whyUnseen(const Scene& scene, const SceneObject& object, const NamedRays& rays) {
   const Eigen::Vector3d p_C = *object.X_CO * object.cuboid_O.centre();
-  if (!object.in_view || !object.loose_box) {
+  if (!object.inView(scene.camera)) {
     return p_C.z() > 0.0 ? "beside the picture" : "behind the camera";
   }
   if (p_C.norm() > scene.camera.far()) return "beyond camera/far";

@@ -43,8 +43,9 @@ Brightness brightnessOf(const cv::Mat& image) {
 
 /// A small thing on a plain ground makes no plain picture.
 bool seesAnObject(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& object) {
-    return object.pixels.visible.isKnown() ? object.pixels.visible() > 0 : object.in_view;
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+    return object.pixels.visible.isKnown() ? object.pixels.visible() > 0
+                                           : object.inView(scene.camera);
   });
 }
 

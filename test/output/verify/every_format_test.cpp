@@ -32,7 +32,6 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithoutObjectsInView) {
     each = object(each.name);
     each.id = each.name;
     each.instance = instance;
-    each.in_view = false;
     each.keypoints.resize(1);
   }
   cv::Mat(empty.instance_map()).setTo(0);

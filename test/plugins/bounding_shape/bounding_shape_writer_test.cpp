@@ -44,7 +44,6 @@ TEST_F(BoundingShape, WritesIdAndVerticesInTheOutputFrame) {
 TEST_F(BoundingShape, LabelsObjectsOutOfViewToo) {
   load({{"output_frame", "sensor"}});
   SceneObject outside = object("z");
-  outside.in_view = false;
   outside.bounding_shape_O = {{0.0, 1.0, -20.0}};
   SceneObject inside = object("a");
   inside.bounding_shape_O = {{0.0, 1.0, 0.0}};

@@ -83,7 +83,7 @@ TEST_F(StvNet, GivesEveryObjectAFolderWithImageMaskAndLabel) {
 TEST_F(StvNet, WritesNothingForAnObjectOutOfView) {
   load({});
   SceneObject outside = keyed("a", {});
-  outside.in_view = false;
+  outside.loose_box = Box{700.0, 0.0, 800.0, 100.0};
   EXPECT_THAT(filesOf(scene(0, {outside})), IsEmpty());
 }
 

@@ -75,11 +75,8 @@ TEST_F(Yolo, KeepsBoxesWholeWhenAskedTo) {
 
 TEST_F(Yolo, LeavesOutWhatIsNotInView) {
   load(parameters());
-  SceneObject outside = boxed("outside", {700.0, 0.0, 800.0, 100.0});
-  outside.in_view = false;
-  SceneObject behind = object("behind");
-  behind.in_view = false;
-  EXPECT_EQ(filesOf(scene(0, {outside, behind})).at("00000000.txt"), "");
+  const SceneObject outside = boxed("outside", {700.0, 0.0, 800.0, 100.0});
+  EXPECT_EQ(filesOf(scene(0, {outside, object("behind")})).at("00000000.txt"), "");
 }
 
 TEST_F(Yolo, LeavesOutWhatReachesOnlyTheFirstPixelsOuterHalf) {
