@@ -109,6 +109,9 @@ class DatasetOutput {
   /// A file in the writer's folder.
   virtual void addFile(const std::string& path, const Content& content) = 0;
 
+  /// The same of a content that is there as a whole.
+  void addText(const std::string& path, const std::string& text);
+
   /// A file at the place that the user gave in a parameter of this writer, inside its folder or
   /// not: the only way out of the folder, and only the user opens it.
   /// @param file  as this writer has read it

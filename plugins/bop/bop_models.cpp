@@ -236,18 +236,17 @@ BopModels readBopModels(Parameters& parameters, const DatasetInfo& dataset) {
 }
 
 void addBopModels(const BopModels& models, const DatasetInfo& dataset, DatasetOutput& output) {
+  const std::vector<std::string> folders = {"models/", "models_eval/"};
   for (const auto& [id, model] : models.by_id) {
     if (!model.has_surface) continue;
     const ObjectModel surface_M = inModelFrame(dataset.model(model.object), model.X_OM);
-    for (const char* folder : {"models/", "models_eval/"}) {
-      output.addFile(folder + ("obj_" + sixDigits(id) + ".ply"),
+    for (const std::string& folder : folders) {
+      output.addFile(folder + "obj_" + sixDigits(id) + ".ply",
                      [&](std::ostream& stream) { writePly(stream, surface_M, kMillimetres); });
     }
   }
-  const std::string infos = indentedJson(infosOf(models));
-  for (const char* folder : {"models/", "models_eval/"}) {
-    output.addFile(folder + std::string("models_info.json"),
-                   [&](std::ostream& stream) { stream << infos; });
+  for (const std::string& folder : folders) {
+    output.addText(folder + "models_info.json", indentedJson(infosOf(models)));
   }
 }
 

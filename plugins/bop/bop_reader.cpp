@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/bop/bop_models.h"
 #include "plugins/bop/bop_options.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
 #include "plugins/readback/json_file.h"
+#include "plugins/shared/pose_formats.h"
 #include "synthetic_dataset/cuboid.h"
 #include "synthetic_dataset/errors.h"
 
@@ -96,16 +98,9 @@ std::map<int, ModelOwners> ownersIn(const fs::path& file, KeptFiles& kept) {
 
 /// From the model's frame to the object's, from millimetres to metres.
 Pose objectPose(const Pose& X_CM, const Pose& X_OM) {
-  constexpr double kMillimetres = 1000.0;  // in a metre
   Pose X_CO = X_CM * X_OM.inverse();
   X_CO.translation() /= kMillimetres;
   return X_CO;
-}
-
-std::string maskName(const std::string& image, std::size_t index) {
-  const std::string digits = std::to_string(index);
-  return image + "_" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits +
-         ".png";
 }
 
 LabelledPicture readScene(const WrittenScene& scene) {
@@ -137,8 +132,8 @@ LabelledPicture readScene(const WrittenScene& scene) {
         label.class_names = owner->second.class_names;
         label.X_CO = objectPose(X_CM, owner->second.X_OM);
       }
-      label.mask =
-          readPicture(folder / "mask_visib" / maskName(name, labels.size()), cv::IMREAD_GRAYSCALE);
+      const std::string mask = name + "_" + sixDigits(labels.size()) + ".png";
+      label.mask = readPicture(folder / "mask_visib" / mask, cv::IMREAD_GRAYSCALE);
       label.box = boxOf(infos.at(labels.size()).at("bbox_obj"));
       auto corners = boundsOf(models.at(label.caption)).corners();
       for (Eigen::Vector3d& corner : corners) corner = X_CM * corner;

@@ -45,9 +45,7 @@ void addFiles(const SceneFolders& folders, const Json& coco_header, DatasetOutpu
     const std::string& path = each.first;
     const SceneFolder& folder = each.second;
     const auto addMap = [&](const char* name, const Entries& entries) {
-      output.addFile(path + name, [&](std::ostream& stream) {
-        stream << "{\n" << entries.text() << "\n}\n";
-      });
+      output.addText(path + name, "{\n" + entries.text() + "\n}\n");
     };
     addMap("/scene_camera.json", folder.cameras);
     addMap("/scene_gt.json", folder.poses);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <ostream>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/hal/intrin.hpp>
@@ -99,10 +98,6 @@ Json runLengths(const Mask& mask) {
 
 Json millimetres(const Eigen::Vector3d& p) { return numbersOf(kMillimetres * p); }
 
-void addJson(DatasetOutput& output, const std::string& path, const Json& json) {
-  output.addFile(path, [&](std::ostream& stream) { stream << indentedJson(json); });
-}
-
 }  // namespace
 
 /// BOP's scene-wise format, for 6D poses: images, depth, masks, poses and models, in millimetres.
@@ -166,12 +161,13 @@ class BopWriter : public LabelWriter {
       if (split.name == "test") addBopTargets(records, split.name, output);
     }
     addBopModels(models_, dataset_, output);
-    addJson(output, "camera.json", cameraOf(dataset_.cameras.front().model));
+    output.addText("camera.json", indentedJson(cameraOf(dataset_.cameras.front().model)));
     for (std::size_t i = 0; dataset_.cameras.size() > 1 && i < dataset_.cameras.size(); ++i) {
       const CameraDescription& camera = dataset_.cameras[i];
-      addJson(output, "camera_" + safeFileName(camera.name) + ".json", cameraOf(camera.model));
+      output.addText("camera_" + safeFileName(camera.name) + ".json",
+                     indentedJson(cameraOf(camera.model)));
     }
-    addJson(output, "dataset_info.json", datasetInfo());
+    output.addText("dataset_info.json", indentedJson(datasetInfo()));
   }
 
   /// A number for each camera in each series of images.

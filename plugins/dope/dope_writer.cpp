@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ostream>
 
 #include <pluginlib/class_list_macros.hpp>
 
@@ -205,21 +204,15 @@ class DopeWriter : public LabelWriter {
     if (!dataset_.splits.empty()) splits.clear();
     for (const SplitInfo& split : dataset_.splits) splits.push_back(split.name);
     for (const std::string& split : splits) {
-      for (std::size_t camera = 0; camera < dataset_.cameras.size(); ++camera) {
-        const std::string folder = folderOf(split, camera);
-        output.addFile(folder + "_object_settings.json",
-                       [&](std::ostream& stream) { stream << objects; });
-        addCameraSettings(dataset_.cameras[camera], folder, output);
+      for (std::size_t i = 0; i < dataset_.cameras.size(); ++i) {
+        const CameraDescription& camera = dataset_.cameras[i];
+        const std::string folder = folderOf(split, i);
+        output.addText(folder + "_object_settings.json", objects);
+        // Where each image has intrinsics of its own, they are in its `camera_data` alone.
+        if (camera.intrinsics_vary) continue;
+        output.addText(folder + "_camera_settings.json", indentedJson(cameraSettings(camera)));
       }
     }
-  }
-
-  /// Where each image has intrinsics of its own, they are in its `camera_data` alone.
-  static void addCameraSettings(const CameraDescription& camera, const std::string& folder,
-                                DatasetOutput& output) {
-    if (camera.intrinsics_vary) return;
-    output.addFile(folder + "_camera_settings.json",
-                   [&](std::ostream& stream) { stream << indentedJson(cameraSettings(camera)); });
   }
 
   [[nodiscard]] std::string folderOf(const std::string& split, std::size_t camera) const {

@@ -1,5 +1,7 @@
 #include "synthetic_dataset/output.h"
 
+#include <ostream>
+
 namespace synthetic_dataset {
 inline namespace v2 {
 
@@ -7,6 +9,10 @@ inline namespace v2 {
 SceneOutput::~SceneOutput() = default;
 SceneRecords::~SceneRecords() = default;
 DatasetOutput::~DatasetOutput() = default;
+
+void DatasetOutput::addText(const std::string& path, const std::string& text) {
+  addFile(path, [&](std::ostream& stream) { stream << text; });
+}
 
 }  // namespace v2
 }  // namespace synthetic_dataset
