@@ -1,8 +1,6 @@
-#include <cstdint>
-#include <cstring>
-
 #include <opencv2/imgcodecs.hpp>
 
+#include "plugins/pvnet/pvnet_pose.h"
 #include "plugins/readback/camera_drawing.h"
 #include "plugins/readback/files.h"
 #include "plugins/readback/format.h"
@@ -14,23 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A 3 x 4 matrix of little-endian doubles in NumPy's file format: they stand at the file's end.
 Pose readPose(const fs::path& file) {
-  constexpr std::size_t kNumbers = 12;
-  const std::string bytes = readText(file);
-  if (bytes.size() < 8 * kNumbers) throw Error("'" + file.string() + "': found no 3 x 4 numbers");
-  const char* from = bytes.data() + bytes.size() - 8 * kNumbers;
-  Pose pose = Pose::Identity();
-  for (unsigned i = 0; i < kNumbers; ++i, from += 8) {
-    std::uint64_t bits = 0;
-    for (unsigned byte = 0; byte < 8; ++byte) {
-      bits |= std::uint64_t{static_cast<unsigned char>(from[byte])} << (8 * byte);
-    }
-    double number = 0.0;
-    std::memcpy(&number, &bits, sizeof number);
-    pose(static_cast<int>(i) / 4, static_cast<int>(i) % 4) = number;
+  try {
+    return poseOfNumpy(readText(file));
+  } catch (const Error& error) {
+    throw Error("'" + file.string() + "': " + error.what());
   }
-  return pose;
 }
 
 /// Lines of three numbers.

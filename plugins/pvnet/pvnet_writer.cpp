@@ -1,94 +1,30 @@
 #include <cstdint>
-#include <cstring>
 #include <locale>
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/pvnet/pvnet_model.h"
+#include "plugins/pvnet/pvnet_pose.h"
 #include "plugins/shared/json.h"
 #include "plugins/shared/plain_file_name.h"
 #include "plugins/shared/pose_formats.h"
-#include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
 namespace {
 
-constexpr std::size_t kAlignment = 64;  // of the numbers in the file
-constexpr std::string_view kBeginning("\x93NUMPY\x01\x00", 8);
-
-std::string littleEndian(double number) {
-  static_assert(sizeof(double) == sizeof(std::uint64_t), "the format's doubles have 64 bits");
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &number, sizeof bits);
-  std::string bytes;
-  for (unsigned shift = 0; shift < 64; shift += 8) {
-    bytes += static_cast<char>(static_cast<unsigned char>(bits >> shift));
+/// A pose's 3 x 4 matrix [R | t].
+Json rowsOf(const Pose& pose) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) {
+    const auto row = pose.matrix().row(i);
+    rows.push_back({row(0), row(1), row(2), row(3)});
   }
-  return bytes;
-}
-
-double numberOf(const char* bytes) {
-  std::uint64_t bits = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    bits |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-  }
-  double number = 0.0;
-  std::memcpy(&number, &bits, sizeof number);
-  return number;
-}
-
-/// The bytes of a file that numpy.load reads as an array of these rows, of equal length.
-std::string numpyArray(const std::vector<std::vector<double>>& rows) {
-  const std::size_t columns = rows.empty() ? 0 : rows.front().size();
-  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
-                       std::to_string(rows.size()) + ", " + std::to_string(columns) + "), }";
-  const std::size_t before = kBeginning.size() + 2;  // the header's length follows, in two bytes
-  header.append(kAlignment - 1 - (before + header.size()) % kAlignment, ' ');
-  header += '\n';
-  std::string bytes(kBeginning);
-  bytes += static_cast<char>(static_cast<unsigned char>(header.size() & 0xFFU));
-  bytes += static_cast<char>(static_cast<unsigned char>(header.size() >> 8U));
-  bytes += header;
-  for (const std::vector<double>& row : rows) {
-    for (const double number : row) bytes += littleEndian(number);
-  }
-  return bytes;
-}
-
-/// The numbers of such a file, row by row.
-/// @param bytes  as numpyArray made them
-std::vector<double> numbersOfNumpyArray(const std::string& bytes) {
-  const std::size_t end_of_header = bytes.find('\n');
-  if (bytes.compare(0, kBeginning.size(), kBeginning) != 0 || end_of_header == std::string::npos) {
-    throw Error("this is no NumPy array");
-  }
-  std::vector<double> numbers;
-  for (std::size_t at = end_of_header + 1; at + 8 <= bytes.size(); at += 8) {
-    numbers.push_back(numberOf(bytes.data() + at));
-  }
-  return numbers;
-}
-
-/// The row [R | t] of a pose's matrix.
-std::vector<double> rowOf(const Pose& pose, int row) {
-  return {pose.linear()(row, 0), pose.linear()(row, 1), pose.linear()(row, 2),
-          pose.translation()(row)};
-}
-
-std::vector<std::vector<double>> rowsOf(const Pose& pose) {
-  return {rowOf(pose, 0), rowOf(pose, 1), rowOf(pose, 2)};
-}
-
-Pose poseOf(const std::vector<double>& numbers) {
-  Pose pose = Pose::Identity();
-  for (int i = 0; i < 12; ++i) pose(i / 4, i % 4) = numbers.at(static_cast<std::size_t>(i));
-  return pose;
+  return rows;
 }
 
 /// A line of numbers as numpy.loadtxt reads them, each the shortest that is the same double.
@@ -104,14 +40,8 @@ std::string linesOf(const std::vector<Eigen::Vector3d>& points) {
   return lines;
 }
 
-std::string matrixOf(const Intrinsics& intrinsics) {
-  const auto k = cameraMatrix(intrinsics);
-  std::string lines;
-  for (std::size_t row = 0; row < 3; ++row) {
-    lines += lineOf(std::vector<double>(k.begin() + 3 * static_cast<int>(row),
-                                        k.begin() + 3 * static_cast<int>(row) + 3));
-  }
-  return lines;
+std::string linesOf(const Intrinsics& k) {
+  return lineOf({k.fx, 0.0, k.cx}) + lineOf({0.0, k.fy, k.cy}) + lineOf({0.0, 0.0, 1.0});
 }
 
 /// What a scene leaves for the end: for which objects it is a sample.
@@ -133,10 +63,6 @@ struct SceneRecord {
     return record;
   }
 };
-
-void addText(DatasetOutput& output, const std::string& path, const std::string& text) {
-  output.addFile(path, [&](std::ostream& stream) { stream << text; });
-}
 
 }  // namespace
 
@@ -193,7 +119,7 @@ class PvNetWriter : public LabelWriter {
     const std::string number = sceneNumber(scene.instant);
     output.addImage(scenes + "rgb/" + number + image_format_, scene.image);
     output.addMask(scenes + "mask/" + number + ".png", object.visible_mask());
-    output.addText(scenes + "pose/" + number + ".npy", numpyArray(rowsOf(*object.X_CO)));
+    output.addText(scenes + "pose/" + number + ".npy", numpyPose(*object.X_CO));
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
@@ -247,10 +173,10 @@ class PvNetWriter : public LabelWriter {
     output.addFile(folder.path + "model.ply",
                    [&](std::ostream& stream) { writePly(stream, surface, 1.0); });
     const CameraModel& camera = dataset_.cameras[folder.camera].model;
-    addText(output, folder.path + "camera.txt", matrixOf(camera.intrinsics()));
-    addText(output, folder.path + "diameter.txt", lineOf(std::vector<double>{model.diameter}));
-    addText(output, folder.path + "fps.txt", linesOf(model.farthest_points));
-    addText(output, folder.path + "corners.txt", linesOf(model.corners));
+    output.addText(folder.path + "camera.txt", linesOf(camera.intrinsics()));
+    output.addText(folder.path + "diameter.txt", lineOf({model.diameter}));
+    output.addText(folder.path + "fps.txt", linesOf(model.farthest_points));
+    output.addText(folder.path + "corners.txt", linesOf(model.corners));
   }
 
   /// `train.json` and its like: images, then annotations, both numbered from 1.
@@ -273,7 +199,7 @@ class PvNetWriter : public LabelWriter {
       stream << "],\n\"annotations\": [";
       addList(stream, [&](int id, const std::string& i, const std::string& scene) {
         const std::string file = folder.path + "scenes/pose/" + scene + ".npy";
-        return annotation(folder, id, i, poseOf(numbersOfNumpyArray(output.readFile(file))));
+        return annotation(folder, id, i, poseOfNumpy(output.readFile(file)));
       });
       stream << "],\n\"categories\": "
              << Json::array({{{"supercategory", "none"}, {"id", 1}, {"name", kClass}}}).dump()
