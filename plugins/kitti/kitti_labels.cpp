@@ -98,6 +98,18 @@ bool hasEnoughPoints(const Scene& scene, std::size_t index, const KittiOptions& 
 
 }  // namespace
 
+Requirements requirementsOf(const KittiOptions& options) {
+  Requirements requirements;
+  requirements.visible_masks = true;
+  requirements.visibility = true;
+  requirements.depth = options.velodyne;
+  if (options.lidar) {
+    requirements.clouds = true;
+    requirements.frames = {options.lidar_frame};
+  }
+  return requirements;
+}
+
 std::string labels(const Scene& scene, const KittiOptions& options, Benchmark benchmark,
                    SceneOutput& output) {
   std::string lines;
@@ -140,6 +152,14 @@ Pose scannerInCamera() {
   Pose X_CS = Pose::Identity();
   X_CS.linear() << 0.0, -1.0, 0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0;
   return X_CS;
+}
+
+Pose lidarInCamera(const Scene& scene, const KittiOptions& options) {
+  return scene.X_GC.inverse() * scene.transform(options.global_frame, options.lidar_frame);
+}
+
+std::string lidarPoints(const Scene& scene, const KittiOptions& options) {
+  return velodyneFile(*scene.clouds().at(*options.lidar), options.positions);
 }
 
 }  // namespace synthetic_dataset::kitti

@@ -14,6 +14,9 @@ inline constexpr double kScanDepth = 0.001;
 /// Their lines differ in a few columns.
 enum class Benchmark { kObjects, kTracking };
 
+/// What both need of a scene.
+[[nodiscard]] Requirements requirementsOf(const KittiOptions& options);
+
 /// A scene's lines; those of tracking without the frame. Warns of objects that are tilted.
 [[nodiscard]] std::string labels(const Scene& scene, const KittiOptions& options,
                                  Benchmark benchmark, SceneOutput& output);
@@ -22,7 +25,11 @@ enum class Benchmark { kObjects, kTracking };
 /// @param X_CS  of the scanner in the camera's optical frame
 [[nodiscard]] std::string calibration(const Intrinsics& k, const Pose& X_CS);
 
-/// That of a scanner in the camera's place, with x ahead, y left and z up.
+/// The pose in the camera's optical frame of a scanner in its place, with x ahead, y left and z up.
 [[nodiscard]] Pose scannerInCamera();
+
+/// The same of the lidar whose points there are, and its file of `velodyne`.
+[[nodiscard]] Pose lidarInCamera(const Scene& scene, const KittiOptions& options);
+[[nodiscard]] std::string lidarPoints(const Scene& scene, const KittiOptions& options);
 
 }  // namespace synthetic_dataset::kitti

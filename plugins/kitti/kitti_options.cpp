@@ -52,6 +52,8 @@ void readVelodyne(Parameters& parameters, const DatasetInfo& dataset, KittiOptio
   options.velodyne = velodyne == "depth";
   if (velodyne == "none" || velodyne == "depth") return;
   options.lidar = dataset.lidarIndex(parameters, "velodyne", velodyne);
+  if (options.lidar) options.lidar_frame = dataset.lidars[*options.lidar].frame;
+  options.global_frame = dataset.global_frame;
   options.positions = readCloudPositions(parameters);
   options.min_points = readMinPoints(parameters);
 }

@@ -22,6 +22,8 @@ struct KittiOptions {
   bool dont_care = true;             ///< whether objects without a label become such regions
   bool velodyne = false;             ///< whether there are points of a scanner, made of the depth
   std::optional<std::size_t> lidar;  ///< whose points there are, in DatasetInfo::lidars
+  std::string lidar_frame;           ///< its frame, and the global one
+  std::string global_frame;
   CloudPositions positions = CloudPositions::kAtStamp;  ///< of the lidar's points
   std::int64_t min_points = 0;  ///< objects of which the lidar has fewer get no label
 };

@@ -81,11 +81,8 @@ DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
 std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& camera,
                                        const DatasetInfo& dataset) {
   std::vector<DecodedPicture> pictures;
-  const auto velodyne = scene.settings.find("velodyne");
-  std::optional<std::size_t> lidar;
-  if (velodyne != scene.settings.end() && velodyne->second.text() != "depth") {
-    lidar = lidarNamed(velodyne->second.text(), dataset);
-  }
+  const auto name = kittiLidar(scene);
+  const auto lidar = name ? lidarNamed(*name, dataset) : std::nullopt;
   for (const fs::path& file : scene.files) {
     if (file.extension() != ".bin") continue;
     pictures.push_back(lidar ? velodynePicture(file, *lidar, scene.settings)
@@ -94,22 +91,15 @@ std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraMo
   return pictures;
 }
 
-/// A lidar's points; those of a depth image are none.
 std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
-  const auto velodyne = scene.settings.find("velodyne");
-  if (velodyne == scene.settings.end() || velodyne->second.text() == "depth") return {};
+  if (!kittiLidar(scene)) return {};
   const fs::path scan = scene.file(".bin");
   const fs::path training = scan.parent_path().parent_path();
   const std::string name = scan.stem().string() + ".txt";
-  LabelledCloud cloud;
-  cloud.lidar = velodyne->second.text();
-  addVelodynePoints(cloud, scan);
   const fs::path labels = training / "label_2" / name;
   std::vector<std::vector<std::string>> lines;
   for (const std::string& line : readLines(labels)) lines.push_back(wordsOf(line));
-  cloud.objects = kittiObjects(lines, readKittiScanner(training / "calib" / name), labels);
-  assignToBoxes(cloud);
-  return {cloud};
+  return {kittiCloud(scene, lines, labels, training / "calib" / name)};
 }
 
 }  // namespace

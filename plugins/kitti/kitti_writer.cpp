@@ -59,10 +59,6 @@ class KittiWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     options_ = readKittiOptions(parameters, dataset);
-    if (options_.lidar) {
-      global_frame_ = dataset.global_frame;
-      lidar_frame_ = dataset.lidars[*options_.lidar].frame;
-    }
     for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
       folders_.push_back(dataset.cameraFolder(i));
     }
@@ -74,15 +70,7 @@ class KittiWriter : public LabelWriter {
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
-    Requirements requirements;
-    requirements.visible_masks = true;
-    requirements.visibility = true;
-    requirements.depth = options_.velodyne;
-    if (options_.lidar) {
-      requirements.clouds = true;
-      requirements.frames = {lidar_frame_};
-    }
-    return requirements;
+    return kitti::requirementsOf(options_);
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
@@ -91,14 +79,9 @@ class KittiWriter : public LabelWriter {
     const std::string number = sixDigits(scene.instant);
     const std::string training = folders_[scene.camera_index] + "training/";
     output.addImage(training + "image_2/" + number + ".png", scene.image);
-    if (options_.velodyne) {
-      output.addText(training + "velodyne/" + number + ".bin", scanOf(scene));
-    }
-    Pose X_CS = kitti::scannerInCamera();
-    if (options_.lidar) {
-      X_CS = scene.X_GC.inverse() * scene.transform(global_frame_, lidar_frame_);
+    if (options_.velodyne || options_.lidar) {
       output.addText(training + "velodyne/" + number + ".bin",
-                     velodyneFile(*scene.clouds().at(*options_.lidar), options_.positions));
+                     options_.lidar ? kitti::lidarPoints(scene, options_) : scanOf(scene));
     }
     if (labels.empty()) {
       // OpenPCDet cannot load an image without a line (its object3d_kitti.py, kitti_dataset.py).
@@ -108,7 +91,9 @@ class KittiWriter : public LabelWriter {
     }
     output.addText(training + "label_2/" + number + ".txt", std::move(labels));
     output.addText(training + "calib/" + number + ".txt",
-                   kitti::calibration(scene.camera.intrinsics(), X_CS));
+                   kitti::calibration(scene.camera.intrinsics(),
+                                      options_.lidar ? kitti::lidarInCamera(scene, options_)
+                                                     : kitti::scannerInCamera()));
   }
 
   static void listImage(const Scene& scene, const std::string& number, SceneOutput& output) {
@@ -157,8 +142,6 @@ class KittiWriter : public LabelWriter {
   static constexpr const char* kTest = "test";
 
   KittiOptions options_;
-  std::string global_frame_;
-  std::string lidar_frame_;           ///< where it writes a lidar's points
   std::vector<std::string> folders_;  ///< of each camera
   std::vector<std::string> splits_;
 };

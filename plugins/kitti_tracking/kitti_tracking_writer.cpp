@@ -9,7 +9,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "plugins/kitti/kitti_labels.h"
-#include "plugins/shared/cloud_files.h"
 #include "plugins/shared/pose_formats.h"
 #include "plugins/shared/sequences.h"
 #include "synthetic_dataset/label_writer.h"
@@ -38,10 +37,6 @@ class KittiTrackingWriter : public LabelWriter {
                           "found 'depth', of which only synthetic_dataset/Kitti makes points; it "
                           "should be none or a lidar's name");
     }
-    if (options_.lidar) {
-      global_frame_ = dataset.global_frame;
-      lidar_frame_ = dataset.lidars[*options_.lidar].frame;
-    }
     warnOfUnknownTypes(parameters);
     sequences_ = Sequences(dataset);
     cameras_ = dataset.cameras;
@@ -64,14 +59,7 @@ class KittiTrackingWriter : public LabelWriter {
   }
 
   [[nodiscard]] Requirements doRequirements() const override {
-    Requirements requirements;
-    requirements.visible_masks = true;
-    requirements.visibility = true;
-    if (options_.lidar) {
-      requirements.clouds = true;
-      requirements.frames = {lidar_frame_};
-    }
-    return requirements;
+    return kitti::requirementsOf(options_);
   }
 
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
@@ -79,11 +67,10 @@ class KittiTrackingWriter : public LabelWriter {
     sequences_.addFrame(
         scene, "png", kitti::labels(scene, options_, kitti::Benchmark::kTracking, output), output);
     if (!options_.lidar) return;
-    output.addText(scanOf("scenes/" + scene.name + ".png"),
-                   velodyneFile(*scene.clouds().at(*options_.lidar), options_.positions));
-    const Pose X_CS = scene.X_GC.inverse() * scene.transform(global_frame_, lidar_frame_);
-    output.addRecord(scannerChannel(scene.camera_index),
-                     kitti::calibration(scene.camera.intrinsics(), X_CS));
+    output.addText(scanOf("scenes/" + scene.name + ".png"), kitti::lidarPoints(scene, options_));
+    output.addRecord(
+        scannerChannel(scene.camera_index),
+        kitti::calibration(scene.camera.intrinsics(), kitti::lidarInCamera(scene, options_)));
   }
 
   /// The points beside a scene's image.
@@ -96,22 +83,18 @@ class KittiTrackingWriter : public LabelWriter {
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    for (std::size_t i = 0; i < sequences_.all().size(); ++i) addSequence(i, records, output);
-    output.addFile(kFrameList, [&](std::ostream& list) {
-      for (std::size_t i = 0; i < sequences_.all().size(); ++i) {
-        sequences_.forEachFrame(
-            i, records,
-            [&](std::int64_t frame, const std::string& image, const std::string& /*labels*/) {
-              list << fourDigits(i) << ' ' << frame << ' ' << image << '\n';
-            });
-      }
-    });
+    std::vector<std::string> folders;
+    for (std::size_t i = 0; i < sequences_.all().size(); ++i) {
+      folders.push_back(fourDigits(i));
+      addSequence(i, folders.back(), records, output);
+    }
+    sequences_.addFrameList(folders, records, output);
     for (const std::string& split : splits_) addSequenceMap(split, records, output);
   }
 
-  void addSequence(std::size_t sequence, const SceneRecords& records, DatasetOutput& output) const {
-    const std::string name = fourDigits(sequence);
-    if (lengthOf(sequence, records) == 0) return;
+  void addSequence(std::size_t sequence, const std::string& name, const SceneRecords& records,
+                   DatasetOutput& output) const {
+    if (sequences_.length(sequence, records) == 0) return;
     sequences_.forEachFrame(
         sequence, records,
         [&](std::int64_t frame, const std::string& image, const std::string& /*labels*/) {
@@ -120,17 +103,9 @@ class KittiTrackingWriter : public LabelWriter {
           output.addLink("training/velodyne/" + name + "/" + sixDigits(frame) + ".bin",
                          scanOf(image));
         });
-    output.addFile("training/label_02/" + name + ".txt", [&](std::ostream& file) {
-      sequences_.forEachFrame(
-          sequence, records,
-          [&](std::int64_t frame, const std::string& /*image*/, const std::string& labels) {
-            file << withFrame(frame, ' ', labels);
-          });
-    });
-    output.addFile("training/calib/" + name + ".txt", [&](std::ostream& file) {
-      const std::size_t camera = sequences_.all()[sequence].camera;
-      file << calibrationOf(camera, records);
-    });
+    sequences_.addLabels("training/label_02/" + name + ".txt", sequence, ' ', records, output);
+    output.addText("training/calib/" + name + ".txt",
+                   calibrationOf(sequences_.all()[sequence].camera, records));
   }
 
   /// That of a camera's first scene, against which the scanner is taken not to move.
@@ -150,24 +125,14 @@ class KittiTrackingWriter : public LabelWriter {
                       DatasetOutput& output) const {
     output.addFile("evaluate_tracking.seqmap." + split, [&](std::ostream& file) {
       for (std::size_t i = 0; i < sequences_.all().size(); ++i) {
-        const std::int64_t length = lengthOf(i, records);
+        const std::int64_t length = sequences_.length(i, records);
         if (sequences_.all()[i].split != split || length == 0) continue;
         file << fourDigits(i) << " empty " << sixDigits(0) << ' ' << sixDigits(length) << '\n';
       }
     });
   }
 
-  [[nodiscard]] std::int64_t lengthOf(std::size_t sequence, const SceneRecords& records) const {
-    std::int64_t length = 0;
-    sequences_.forEachFrame(sequence, records,
-                            [&](std::int64_t /*frame*/, const std::string& /*image*/,
-                                const std::string& /*labels*/) { ++length; });
-    return length;
-  }
-
   KittiOptions options_;
-  std::string global_frame_;
-  std::string lidar_frame_;  ///< where it writes a lidar's points
   Sequences sequences_;
   std::vector<CameraDescription> cameras_;
   std::vector<std::string> splits_;

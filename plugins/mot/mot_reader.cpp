@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,16 +29,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   const SequenceFrame frame = frameOf(scene, image);
   const fs::path folder = scene.folder / frame.sequence;
   const fs::path file = folder / "gt" / "gt.txt";
-  std::string digits = frame.frame;
-  digits.insert(0, 6 - std::min<std::size_t>(digits.size(), 6), '0');
-  const fs::path linked = folder / "img1" / (digits + image.extension().string());
+  const fs::path linked = folder / "img1" / (frame.name + image.extension().string());
   LabelledPicture picture{readPicture(linked, cv::IMREAD_COLOR), {}};
   const std::vector<std::string> names = readLines(folder / "gt" / "labels.txt");
-  for (const auto& words : scene.kept->get<SequenceLabels>(file)->of(frame.frame)) {
-    if (words.size() != kColumns) {
-      throw Error("'" + file.string() + "': found a line of " + std::to_string(words.size() + 1) +
-                  " columns");
-    }
+  for (const auto& words : scene.kept->get<SequenceLabels>(file)->of(frame, kColumns)) {
     const auto number = [&](std::size_t i) { return numberOf(words[i], file); };
     DrawnLabel label;
     label.class_names = {nameOf(names, number(6))};

@@ -22,7 +22,7 @@ class MotWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
     options_ = readMotOptions(parameters, dataset.classes);
-    sequences_ = Sequences(dataset);
+    sequences_ = Sequences(dataset, 1);
     cameras_ = dataset.cameras;
   }
 
@@ -56,41 +56,24 @@ class MotWriter : public LabelWriter {
   }
 
   void doFinalize(const SceneRecords& records, DatasetOutput& output) const override {
-    for (std::size_t i = 0; i < sequences_.all().size(); ++i) addSequence(i, records, output);
-    output.addFile(kFrameList, [&](std::ostream& list) {
-      for (std::size_t i = 0; i < sequences_.all().size(); ++i) {
-        sequences_.forEachFrame(
-            i, records,
-            [&](std::int64_t frame, const std::string& image, const std::string& /*labels*/) {
-              list << folderOf(i) << ' ' << frame + 1 << ' ' << image << '\n';
-            });
-      }
-    });
+    std::vector<std::string> folders;
+    for (const Sequences::Sequence& each : sequences_.all()) {
+      folders.push_back(each.split + "/" + each.name);
+      addSequence(folders.size() - 1, folders.back() + "/", records, output);
+    }
+    sequences_.addFrameList(folders, records, output);
   }
 
-  [[nodiscard]] std::string folderOf(std::size_t sequence) const {
-    const Sequences::Sequence& each = sequences_.all()[sequence];
-    return each.split + "/" + each.name;
-  }
-
-  void addSequence(std::size_t sequence, const SceneRecords& records, DatasetOutput& output) const {
-    const std::string folder = folderOf(sequence) + "/";
-    std::int64_t length = 0;
+  void addSequence(std::size_t sequence, const std::string& folder, const SceneRecords& records,
+                   DatasetOutput& output) const {
+    const std::int64_t length = sequences_.length(sequence, records);
+    if (length == 0) return;
     sequences_.forEachFrame(
         sequence, records,
         [&](std::int64_t frame, const std::string& image, const std::string& /*labels*/) {
-          output.addLink(folder + "img1/" + sixDigits(frame + 1) + "." + options_.image_format,
-                         image);
-          length = frame + 1;
+          output.addLink(folder + "img1/" + sixDigits(frame) + "." + options_.image_format, image);
         });
-    if (length == 0) return;
-    output.addFile(folder + "gt/gt.txt", [&](std::ostream& file) {
-      sequences_.forEachFrame(
-          sequence, records,
-          [&](std::int64_t frame, const std::string& /*image*/, const std::string& labels) {
-            file << withFrame(frame + 1, ',', labels);
-          });
-    });
+    sequences_.addLabels(folder + "gt/gt.txt", sequence, ',', records, output);
     output.addFile(folder + "gt/labels.txt", [&](std::ostream& file) {
       for (const std::string& name : options_.names) file << name << '\n';
     });

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "plugins/kitti/kitti_options.h"
 #include "plugins/readback/camera_drawing.h"
@@ -29,38 +30,47 @@ std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& n) {
   return corners;
 }
 
+/// The 3 x 4 matrix of a calibration file, row by row.
+/// @param name  what its line begins with: "P2:"
+std::vector<double> readMatrix(const std::filesystem::path& file, const std::string& name) {
+  for (const std::string& line : readLines(file)) {
+    const auto words = wordsOf(line);
+    if (words.size() != 13 || words[0] != name) continue;
+    std::vector<double> numbers;
+    for (std::size_t i = 1; i < words.size(); ++i) numbers.push_back(numberOf(words[i], file));
+    return numbers;
+  }
+  throw Error("'" + file.string() + "': found no line of '" + name + "' and 12 numbers");
+}
+
 }  // namespace
 
 Intrinsics readKittiCamera(const std::filesystem::path& file) {
-  for (const std::string& line : readLines(file)) {
-    const auto words = wordsOf(line);
-    if (words.size() != 13 || words[0] != "P2:") continue;
-    const auto number = [&](std::size_t i) { return numberOf(words[i + 1], file); };
-    return {number(0), number(5), number(2), number(6)};
-  }
-  throw Error("'" + file.string() + "': found no line of 'P2:' and 12 numbers");
+  const std::vector<double> k = readMatrix(file, "P2:");
+  return {k[0], k[5], k[2], k[6]};
 }
 
-Pose readKittiScanner(const std::filesystem::path& file) {
-  for (const std::string& line : readLines(file)) {
-    const auto words = wordsOf(line);
-    if (words.size() != 13 || words[0] != "Tr_velo_to_cam:") continue;
-    Pose X_CS = Pose::Identity();
-    for (int i = 0; i < 12; ++i) {
-      X_CS.matrix()(i / 4, i % 4) = numberOf(words[static_cast<std::size_t>(i) + 1], file);
-    }
-    return X_CS;
-  }
-  throw Error("'" + file.string() + "': found no line of 'Tr_velo_to_cam:' and 12 numbers");
+std::optional<std::string> kittiLidar(const WrittenScene& scene) {
+  const auto velodyne = scene.settings.find("velodyne");
+  if (velodyne == scene.settings.end()) return std::nullopt;
+  std::string name = velodyne->second.text();
+  if (name == "none" || name == "depth") return std::nullopt;
+  return name;
 }
 
-std::map<std::uint16_t, LabelledCloud::Object> kittiObjects(
-    const std::vector<std::vector<std::string>>& lines, const Pose& X_CS,
-    const std::filesystem::path& file) {
+LabelledCloud kittiCloud(const WrittenScene& scene,
+                         const std::vector<std::vector<std::string>>& lines,
+                         const std::filesystem::path& file,
+                         const std::filesystem::path& calibration) {
   constexpr std::size_t kColumns = 15;
-  std::map<std::uint16_t, LabelledCloud::Object> objects;
-  std::map<std::string, int> of_class;
+  LabelledCloud cloud;
+  cloud.lidar = kittiLidar(scene).value_or("");
+  addVelodynePoints(cloud, scene.file(".bin"));
+  const std::vector<double> matrix = readMatrix(calibration, "Tr_velo_to_cam:");
+  Pose X_CS = Pose::Identity();
+  for (int i = 0; i < 12; ++i) X_CS(i / 4, i % 4) = matrix[static_cast<std::size_t>(i)];
   const Pose X_SC = X_CS.inverse();
+  std::map<std::string, int> of_class;
   for (const std::vector<std::string>& words : lines) {
     if (words.size() != kColumns) {
       throw Error("'" + file.string() + "': found a label of " + std::to_string(words.size()) +
@@ -74,9 +84,10 @@ std::map<std::uint16_t, LabelledCloud::Object> kittiObjects(
     object.caption = words[0] + " " + std::to_string(++of_class[words[0]]);
     object.corners_S = kittiCorners(numbers);
     for (Eigen::Vector3d& corner : *object.corners_S) corner = X_SC * corner;
-    objects[static_cast<std::uint16_t>(objects.size() + 1)] = object;
+    cloud.objects[static_cast<std::uint16_t>(cloud.objects.size() + 1)] = object;
   }
-  return objects;
+  assignToBoxes(cloud);
+  return cloud;
 }
 
 DrawnLabel kittiLabel(const std::vector<std::string>& words, const Intrinsics& camera,

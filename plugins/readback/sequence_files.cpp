@@ -15,8 +15,9 @@ FrameList::FrameList(const std::filesystem::path& file) : file_(file) {
     if (first == std::string::npos || second == std::string::npos) {
       throw Error("'" + file.string() + "': found the line '" + line + "'");
     }
-    frames_[line.substr(second + 1)] = {line.substr(0, first),
-                                        line.substr(first + 1, second - first - 1)};
+    const std::string number = line.substr(first + 1, second - first - 1);
+    const std::string zeros(6 - std::min<std::size_t>(number.size(), 6), '0');
+    frames_[line.substr(second + 1)] = {line.substr(0, first), number, zeros + number};
   }
 }
 
@@ -28,7 +29,7 @@ const SequenceFrame& FrameList::of(const std::string& image) const {
   return found->second;
 }
 
-SequenceLabels::SequenceLabels(const std::filesystem::path& file) {
+SequenceLabels::SequenceLabels(const std::filesystem::path& file) : file_(file) {
   for (std::string line : readLines(file)) {
     const std::size_t end_of_frame = line.find_first_of(", ");
     const bool has_commas = end_of_frame != std::string::npos && line[end_of_frame] == ',';
@@ -41,10 +42,17 @@ SequenceLabels::SequenceLabels(const std::filesystem::path& file) {
   }
 }
 
-const std::vector<std::vector<std::string>>& SequenceLabels::of(const std::string& frame) const {
+const std::vector<std::vector<std::string>>& SequenceLabels::of(const SequenceFrame& frame,
+                                                                std::size_t columns) const {
   static const std::vector<std::vector<std::string>> kNone;
-  const auto found = lines_.find(frame);
-  return found == lines_.end() ? kNone : found->second;
+  const auto found = lines_.find(frame.number);
+  if (found == lines_.end()) return kNone;
+  for (const std::vector<std::string>& words : found->second) {
+    if (words.size() == columns) continue;
+    throw Error("'" + file_.string() + "': found a line of " + std::to_string(words.size() + 1) +
+                " columns");
+  }
+  return found->second;
 }
 
 SequenceFrame frameOf(const WrittenScene& scene, const std::filesystem::path& image) {

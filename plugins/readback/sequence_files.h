@@ -14,7 +14,8 @@ namespace synthetic_dataset::formats {
 /// Where a scene's image stands in its format.
 struct SequenceFrame {
   std::string sequence;  ///< its folder, below the writer's
-  std::string frame;     ///< its number in the files
+  std::string number;    ///< in the files of labels
+  std::string name;      ///< the same with six digits, as pictures are called
 };
 
 /// The list of all frames (plugins/shared/sequences.h), read once.
@@ -38,9 +39,13 @@ class SequenceLabels {
 
   /// The words of each of a frame's lines, the frame left out. They are separated by `,` where the
   /// frame is, else by blanks.
-  [[nodiscard]] const std::vector<std::vector<std::string>>& of(const std::string& frame) const;
+  /// @param columns  how many words each line should have
+  /// @throws Error where one has another number
+  [[nodiscard]] const std::vector<std::vector<std::string>>& of(const SequenceFrame& frame,
+                                                                std::size_t columns) const;
 
  private:
+  std::filesystem::path file_;
   std::map<std::string, std::vector<std::vector<std::string>>> lines_;
 };
 

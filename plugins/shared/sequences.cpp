@@ -1,16 +1,32 @@
 #include "plugins/shared/sequences.h"
 
 #include <algorithm>
+#include <ostream>
 #include <set>
 
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset {
+namespace {
 
-Sequences::Sequences(const DatasetInfo& dataset)
+/// Lines with the frame before each.
+std::string withFrame(std::int64_t frame, char separator, const std::string& labels) {
+  std::string lines;
+  for (std::size_t begin = 0; begin < labels.size();) {
+    const std::size_t end = labels.find('\n', begin) + 1;
+    lines += std::to_string(frame) + separator + labels.substr(begin, end - begin);
+    begin = end;
+  }
+  return lines;
+}
+
+}  // namespace
+
+Sequences::Sequences(const DatasetInfo& dataset, std::int64_t first_frame)
     : motions_(dataset.motions),
       camera_count_(dataset.cameras.size()),
+      first_frame_(first_frame),
       splits_(dataset.splitFolders()) {
   if (motions_.empty()) motions_.push_back({});
   for (const std::string& split : splits_) {
@@ -55,21 +71,41 @@ void Sequences::noteFrame(const Scene& scene, const std::string& file, const std
 
 void Sequences::forEachFrame(std::size_t sequence, const SceneRecords& records,
                              const Visit& visit) const {
-  std::int64_t frame = 0;
+  std::int64_t frame = first_frame_;
   records.forEach(std::to_string(sequence), [&](std::int64_t /*scene*/, const std::string& record) {
     const std::size_t end = record.find('\n');
     visit(frame++, record.substr(0, end), record.substr(end + 1));
   });
 }
 
-std::string withFrame(std::int64_t frame, char separator, const std::string& labels) {
-  std::string lines;
-  for (std::size_t begin = 0; begin < labels.size();) {
-    const std::size_t end = labels.find('\n', begin) + 1;
-    lines += std::to_string(frame) + separator + labels.substr(begin, end - begin);
-    begin = end;
-  }
-  return lines;
+std::int64_t Sequences::length(std::size_t sequence, const SceneRecords& records) const {
+  std::int64_t length = 0;
+  records.forEach(std::to_string(sequence),
+                  [&](std::int64_t /*scene*/, const std::string& /*record*/) { ++length; });
+  return length;
+}
+
+void Sequences::addLabels(const std::string& path, std::size_t sequence, char separator,
+                          const SceneRecords& records, DatasetOutput& output) const {
+  output.addFile(path, [&](std::ostream& file) {
+    forEachFrame(sequence, records,
+                 [&](std::int64_t frame, const std::string& /*image*/, const std::string& labels) {
+                   file << withFrame(frame, separator, labels);
+                 });
+  });
+}
+
+void Sequences::addFrameList(const std::vector<std::string>& folders, const SceneRecords& records,
+                             DatasetOutput& output) const {
+  output.addFile(kFrameList, [&](std::ostream& list) {
+    for (std::size_t i = 0; i < folders.size(); ++i) {
+      forEachFrame(
+          i, records,
+          [&](std::int64_t frame, const std::string& image, const std::string& /*labels*/) {
+            list << folders[i] << ' ' << frame << ' ' << image << '\n';
+          });
+    }
+  });
 }
 
 }  // namespace synthetic_dataset

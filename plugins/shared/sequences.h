@@ -28,7 +28,9 @@ class Sequences {
   };
 
   Sequences() = default;
-  explicit Sequences(const DatasetInfo& dataset);
+
+  /// @param first_frame  the number of each sequence's first frame
+  explicit Sequences(const DatasetInfo& dataset, std::int64_t first_frame = 0);
 
   /// In the order of splits, motions and cameras; some may have no image.
   [[nodiscard]] const std::vector<Sequence>& all() const { return sequences_; }
@@ -49,16 +51,26 @@ class Sequences {
       std::function<void(std::int64_t frame, const std::string& image, const std::string& labels)>;
   void forEachFrame(std::size_t sequence, const SceneRecords& records, const Visit& visit) const;
 
+  /// How many frames a sequence has.
+  [[nodiscard]] std::int64_t length(std::size_t sequence, const SceneRecords& records) const;
+
+  /// The file of a sequence's labels, each line with its frame before it.
+  void addLabels(const std::string& path, std::size_t sequence, char separator,
+                 const SceneRecords& records, DatasetOutput& output) const;
+
+  /// The file kFrameList.
+  /// @param folders  of the sequences, in their order
+  void addFrameList(const std::vector<std::string>& folders, const SceneRecords& records,
+                    DatasetOutput& output) const;
+
  private:
   [[nodiscard]] std::size_t sequenceOf(const Scene& scene) const;
 
   std::vector<Sequence> sequences_;
   std::vector<MotionInfo> motions_;
   std::size_t camera_count_ = 1;
+  std::int64_t first_frame_ = 0;
   std::vector<std::string> splits_;
 };
-
-/// A label's lines with the frame before each.
-[[nodiscard]] std::string withFrame(std::int64_t frame, char separator, const std::string& labels);
 
 }  // namespace synthetic_dataset

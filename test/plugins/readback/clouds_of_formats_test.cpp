@@ -83,6 +83,16 @@ TEST_P(CloudsOfFormats, AreTheirPointsAndObjects) {
   EXPECT_EQ(object.corners_S.has_value(), GetParam().has_boxes);
 }
 
+TEST(CloudsOfKitti, AreNoneWithoutALidar) {
+  for (const char* type : {"synthetic_dataset/Kitti", "synthetic_dataset/KittiTracking"}) {
+    for (const char* velodyne : {"none", "depth"}) {
+      WrittenScene written;
+      written.settings = {{"velodyne", velodyne}};
+      EXPECT_THAT(formatOf(type)->clouds(written), testing::IsEmpty()) << type << ' ' << velodyne;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, CloudsOfFormats,
     testing::Values(Case{"Kitti", {{"velodyne", "top"}}, false, false, true},
