@@ -37,13 +37,13 @@ void passList(ros::serialization::IStream& stream, std::uint32_t size, const std
 
 }  // namespace
 
-void checkTransforms(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedTransforms& /*kind*/) {
   // Two names' lengths, a sequence number, a time, seven numbers.
   constexpr std::uint32_t kLeast = 4 + 4 + 4 + 8 + 7 * 8;
   static_cast<void>(checkList(stream, kLeast, "transforms"));
 }
 
-void checkCalibration(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedCalibration& /*kind*/) {
   std_msgs::Header header;
   std::uint32_t height = 0;
   std::uint32_t width = 0;
@@ -55,7 +55,7 @@ void checkCalibration(ros::serialization::IStream stream) {
   static_cast<void>(checkList(stream, sizeof(double), "distortion coefficients"));
 }
 
-void checkGrid(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedGrid& /*kind*/) {
   std_msgs::Header header;
   nav_msgs::MapMetaData description;
   stream.next(header);
@@ -63,7 +63,7 @@ void checkGrid(ros::serialization::IStream stream) {
   static_cast<void>(checkList(stream, sizeof(std::int8_t), "cells"));
 }
 
-void checkJoints(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedJoints& /*kind*/) {
   std_msgs::Header header;
   stream.next(header);
   passTexts(stream, "joints");
@@ -72,7 +72,7 @@ void checkJoints(ros::serialization::IStream stream) {
   passList(stream, sizeof(double), "efforts");
 }
 
-void checkImage(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedImage& /*kind*/) {
   std_msgs::Header header;
   std::string encoding;
   std::uint8_t is_bigendian = 0;
@@ -84,7 +84,7 @@ void checkImage(ros::serialization::IStream stream) {
   static_cast<void>(checkList(stream, sizeof(std::uint8_t), "pixels"));
 }
 
-void checkImageFile(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedImageFile& /*kind*/) {
   std_msgs::Header header;
   std::string format;
   stream.next(header);
@@ -92,7 +92,7 @@ void checkImageFile(ros::serialization::IStream stream) {
   static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
 }
 
-void checkCloud(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedCloud& /*kind*/) {
   // A name's length, an offset, a type, a count.
   constexpr std::uint32_t kLeast = 4 + 4 + 1 + 4;
   std_msgs::Header header;
@@ -109,7 +109,7 @@ void checkCloud(ros::serialization::IStream stream) {
   static_cast<void>(checkList(stream, sizeof(std::uint8_t), "bytes"));
 }
 
-void checkStates(ros::serialization::IStream stream) {
+void checkLists(ros::serialization::IStream stream, const RecordedStates& /*kind*/) {
   passTexts(stream, "names");
   passList(stream, 7 * sizeof(double), "poses");
 }

@@ -17,33 +17,18 @@
 /// makes room for as much as they claim. What is wrong throws Error.
 namespace synthetic_dataset::motion {
 
-struct RecordedTransforms {
-  tf2_msgs::TFMessage message;
+template <class Message>
+struct Checked {
+  Message message;
 };
 
-struct RecordedCalibration {
-  sensor_msgs::CameraInfo message;
-};
-
-struct RecordedGrid {
-  nav_msgs::OccupancyGrid message;
-};
-
-struct RecordedJoints {
-  sensor_msgs::JointState message;
-};
-
-struct RecordedImage {
-  sensor_msgs::Image message;
-};
-
-struct RecordedImageFile {
-  sensor_msgs::CompressedImage message;
-};
-
-struct RecordedCloud {
-  sensor_msgs::PointCloud2 message;
-};
+using RecordedTransforms = Checked<tf2_msgs::TFMessage>;
+using RecordedCalibration = Checked<sensor_msgs::CameraInfo>;
+using RecordedGrid = Checked<nav_msgs::OccupancyGrid>;
+using RecordedJoints = Checked<sensor_msgs::JointState>;
+using RecordedImage = Checked<sensor_msgs::Image>;
+using RecordedImageFile = Checked<sensor_msgs::CompressedImage>;
+using RecordedCloud = Checked<sensor_msgs::PointCloud2>;
 
 /// What gazebo_msgs/ModelStates and gazebo_msgs/LinkStates hold alike, without their velocities.
 struct RecordedStates {
@@ -54,42 +39,25 @@ struct RecordedStates {
   static constexpr const char* kLinkStates = "gazebo_msgs/LinkStates";
 };
 
+/// Checks a message's lists.
 /// @param stream  at the message's beginning
-void checkTransforms(ros::serialization::IStream stream);
-void checkCalibration(ros::serialization::IStream stream);
-void checkGrid(ros::serialization::IStream stream);
-void checkJoints(ros::serialization::IStream stream);
-void checkImage(ros::serialization::IStream stream);
-void checkImageFile(ros::serialization::IStream stream);
-void checkCloud(ros::serialization::IStream stream);
-void checkStates(ros::serialization::IStream stream);
+/// @param kind  says its type
+void checkLists(ros::serialization::IStream stream, const RecordedTransforms& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedCalibration& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedGrid& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedJoints& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedImage& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedImageFile& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedCloud& kind);
+void checkLists(ros::serialization::IStream stream, const RecordedStates& kind);
 
 }  // namespace synthetic_dataset::motion
 
 namespace ros {
 namespace message_traits {
 
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedTransforms> : MD5Sum<tf2_msgs::TFMessage> {};
-
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedCalibration> : MD5Sum<sensor_msgs::CameraInfo> {};
-
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedGrid> : MD5Sum<nav_msgs::OccupancyGrid> {};
-
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedJoints> : MD5Sum<sensor_msgs::JointState> {};
-
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedImage> : MD5Sum<sensor_msgs::Image> {};
-
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedImageFile> : MD5Sum<sensor_msgs::CompressedImage> {
-};
-
-template <>
-struct MD5Sum<synthetic_dataset::motion::RecordedCloud> : MD5Sum<sensor_msgs::PointCloud2> {};
+template <class Message>
+struct MD5Sum<synthetic_dataset::motion::Checked<Message>> : MD5Sum<Message> {};
 
 /// Both types have the same fields: string[] name, Pose[] pose, Twist[] twist.
 template <>
@@ -104,58 +72,10 @@ struct MD5Sum<synthetic_dataset::motion::RecordedStates> {
 
 namespace serialization {
 
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedTransforms> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedTransforms& into) {
-    synthetic_dataset::motion::checkTransforms(stream);
-    stream.next(into.message);
-  }
-};
-
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedCalibration> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedCalibration& into) {
-    synthetic_dataset::motion::checkCalibration(stream);
-    stream.next(into.message);
-  }
-};
-
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedGrid> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedGrid& into) {
-    synthetic_dataset::motion::checkGrid(stream);
-    stream.next(into.message);
-  }
-};
-
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedJoints> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedJoints& into) {
-    synthetic_dataset::motion::checkJoints(stream);
-    stream.next(into.message);
-  }
-};
-
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedImage> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedImage& into) {
-    synthetic_dataset::motion::checkImage(stream);
-    stream.next(into.message);
-  }
-};
-
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedImageFile> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedImageFile& into) {
-    synthetic_dataset::motion::checkImageFile(stream);
-    stream.next(into.message);
-  }
-};
-
-template <>
-struct Serializer<synthetic_dataset::motion::RecordedCloud> {
-  static void read(IStream& stream, synthetic_dataset::motion::RecordedCloud& into) {
-    synthetic_dataset::motion::checkCloud(stream);
+template <class Message>
+struct Serializer<synthetic_dataset::motion::Checked<Message>> {
+  static void read(IStream& stream, synthetic_dataset::motion::Checked<Message>& into) {
+    synthetic_dataset::motion::checkLists(stream, into);
     stream.next(into.message);
   }
 };
@@ -163,7 +83,7 @@ struct Serializer<synthetic_dataset::motion::RecordedCloud> {
 template <>
 struct Serializer<synthetic_dataset::motion::RecordedStates> {
   static void read(IStream& stream, synthetic_dataset::motion::RecordedStates& into) {
-    synthetic_dataset::motion::checkStates(stream);
+    synthetic_dataset::motion::checkLists(stream, into);
     stream.next(into.names);
     stream.next(into.poses);
   }
