@@ -56,4 +56,37 @@ class MessageIndex {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The messages of a topic, with what is known of each without keeping its content.
+/// @tparam Head  what that is, among it the message's `stamp`
+template <class Head>
+class RecordedMessages {
+ public:
+  /// All of them in order of stamp, the first recorded one of equal stamps; at least one.
+  [[nodiscard]] const std::vector<Head>& heads() const { return heads_; }
+
+  /// How many were left out since they have the stamp of another one.
+  [[nodiscard]] std::int64_t repeatedCount() const { return index_.repeatedCount(); }
+
+ protected:
+  /// @param head_of  looks at a message; all else as MessageIndex has it
+  RecordedMessages(const std::vector<std::string>& bag_files, const std::string& topic,
+                   const std::string& noun, TopicSearch search,
+                   const std::function<Head(const BagMessage& message)>& head_of)
+      : index_(bag_files, topic, noun, std::move(search), [&](const BagMessage& message) {
+          heads_.push_back(head_of(message));
+          return heads_.back().stamp;
+        }) {
+    heads_ = index_.inOrder(std::move(heads_));
+  }
+
+  /// Shows a message of heads() again, as MessageIndex does.
+  void show(std::size_t index, const std::function<void(const BagMessage& message)>& see) const {
+    index_.read(index, see);
+  }
+
+ private:
+  std::vector<Head> heads_;
+  MessageIndex index_;
+};
+
 }  // namespace synthetic_dataset::motion

@@ -1,12 +1,8 @@
 #include "motion/recorded/recorded_clouds.h"
 
-#include <optional>
-#include <utility>
-
 #include <sensor_msgs/PointCloud2.h>
 
 #include "motion/bag/checked_messages.h"
-#include "motion/bag/message_index.h"
 #include "motion/bag/ros_time.h"
 #include "motion/frame_names.h"
 #include "synthetic_dataset/errors.h"
@@ -39,33 +35,13 @@ CloudHead cloudHeadOf(const BagMessage& message) {
 
 }  // namespace
 
-struct RecordedClouds::Impl {
-  std::vector<CloudHead> heads;
-  std::optional<MessageIndex> messages;  ///< of heads
-};
-
 RecordedClouds::RecordedClouds(const std::vector<std::string>& bag_files, const std::string& topic)
-    : impl_(std::make_unique<Impl>()) {
-  std::vector<CloudHead> looked_at;
-  impl_->messages.emplace(bag_files, topic, "cloud", TopicSearch::of<PointCloud2>(topic),
-                          [&](const BagMessage& message) {
-                            looked_at.push_back(cloudHeadOf(message));
-                            return looked_at.back().stamp;
-                          });
-  impl_->heads = impl_->messages->inOrder(std::move(looked_at));
-}
-
-RecordedClouds::~RecordedClouds() = default;
-RecordedClouds::RecordedClouds(RecordedClouds&&) noexcept = default;
-RecordedClouds& RecordedClouds::operator=(RecordedClouds&&) noexcept = default;
-
-const std::vector<CloudHead>& RecordedClouds::heads() const { return impl_->heads; }
-
-std::int64_t RecordedClouds::repeatedCount() const { return impl_->messages->repeatedCount(); }
+    : RecordedMessages(bag_files, topic, "cloud", TopicSearch::of<PointCloud2>(topic),
+                       cloudHeadOf) {}
 
 std::vector<Eigen::Vector3d> RecordedClouds::read(std::size_t index) const {
   std::vector<Eigen::Vector3d> points;
-  impl_->messages->read(index, [&](const BagMessage& message) {
+  show(index, [&](const BagMessage& message) {
     const auto cloud = message.instantiate<RecordedCloud>();
     if (cloud) points = positionsOf(cloud->message);
   });
@@ -74,7 +50,7 @@ std::vector<Eigen::Vector3d> RecordedClouds::read(std::size_t index) const {
 
 MeasuredCloud RecordedClouds::readMeasured(std::size_t index) const {
   MeasuredCloud measured;
-  impl_->messages->read(index, [&](const BagMessage& message) {
+  show(index, [&](const BagMessage& message) {
     const auto cloud = message.instantiate<RecordedCloud>();
     if (cloud) measured = measuredCloud(cloud->message);
   });

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "motion/bag/message_index.h"
 #include "motion/recorded/cloud_points.h"
 #include "synthetic_dataset/pose.h"
 
@@ -24,20 +23,11 @@ struct CloudHead {
 };
 
 /// The clouds of a topic of type sensor_msgs/PointCloud2, in bags that count as one recording.
-class RecordedClouds {
+class RecordedClouds : public RecordedMessages<CloudHead> {
  public:
   /// Looks at all messages of the topic, and keeps where they are.
   /// @throws Error as RecordedPictures does
   RecordedClouds(const std::vector<std::string>& bag_files, const std::string& topic);
-  ~RecordedClouds();
-  RecordedClouds(RecordedClouds&&) noexcept;
-  RecordedClouds& operator=(RecordedClouds&&) noexcept;
-
-  /// All clouds in order of stamp; at least one.
-  [[nodiscard]] const std::vector<CloudHead>& heads() const;
-
-  /// How many were left out since they have the stamp of another one.
-  [[nodiscard]] std::int64_t repeatedCount() const;
 
   /// The points of a cloud of heads() [m], in any thread; those that are not finite are left out.
   /// @throws Error where it cannot be read
@@ -45,10 +35,6 @@ class RecordedClouds {
 
   /// What was measured at them, likewise.
   [[nodiscard]] MeasuredCloud readMeasured(std::size_t index) const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace synthetic_dataset::motion

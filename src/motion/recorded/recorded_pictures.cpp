@@ -1,13 +1,10 @@
 #include "motion/recorded/recorded_pictures.h"
 
-#include <optional>
 #include <utility>
 
 #include "base/image/picture_decoder.h"
 #include "motion/bag/checked_messages.h"
-#include "motion/bag/message_index.h"
 #include "motion/bag/ros_time.h"
-#include "motion/bag/topic_search.h"
 #include "motion/frame_names.h"
 #include "synthetic_dataset/errors.h"
 
@@ -24,6 +21,10 @@ base::PictureSize sizeOf(const PictureFile& file, const std::string& topic) {
 }
 
 }  // namespace
+
+TopicSearch pictureSearch(const std::string& topic) {
+  return TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic);
+}
 
 FramedPicture framedPicture(const BagMessage& message) {
   if (const auto raw = message.instantiate<RecordedImage>()) {
@@ -60,43 +61,19 @@ PictureHead headOf(
   return head;
 }
 
-struct RecordedPictures::Impl {
-  std::string topic;
-  std::vector<PictureHead> heads;
-  std::optional<MessageIndex> messages;  ///< of heads
-};
-
 RecordedPictures::RecordedPictures(const std::vector<std::string>& bag_files,
                                    const std::string& topic)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->topic = topic;
-  std::vector<PictureHead> looked_at;
-  impl_->messages.emplace(
-      bag_files, topic, "picture",
-      TopicSearch::of<sensor_msgs::Image, sensor_msgs::CompressedImage>(topic),
-      [&](const BagMessage& message) {
-        const FramedPicture picture = framedPicture(message);
-        looked_at.push_back(headOf(picture, base::pictureProblem,
-                                   [&](const PictureFile& file) { return sizeOf(file, topic); }));
-        return picture.stamp;
-      });
-  impl_->heads = impl_->messages->inOrder(std::move(looked_at));
-}
-
-RecordedPictures::~RecordedPictures() = default;
-RecordedPictures::RecordedPictures(RecordedPictures&&) noexcept = default;
-RecordedPictures& RecordedPictures::operator=(RecordedPictures&&) noexcept = default;
-
-const std::string& RecordedPictures::topic() const { return impl_->topic; }
-
-const std::vector<PictureHead>& RecordedPictures::heads() const { return impl_->heads; }
-
-std::int64_t RecordedPictures::repeatedCount() const { return impl_->messages->repeatedCount(); }
+    : RecordedMessages(bag_files, topic, "picture", pictureSearch(topic),
+                       [&](const BagMessage& message) {
+                         return headOf(
+                             framedPicture(message), base::pictureProblem,
+                             [&](const PictureFile& file) { return sizeOf(file, topic); });
+                       }),
+      topic_(topic) {}
 
 RecordedPicture RecordedPictures::read(std::size_t index) const {
   RecordedPicture picture;
-  impl_->messages->read(
-      index, [&](const BagMessage& message) { picture = framedPicture(message).picture; });
+  show(index, [&](const BagMessage& message) { picture = framedPicture(message).picture; });
   return picture;
 }
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +11,8 @@
 #include "base/image/picture_size.h"
 #include "base/image/raw_picture.h"
 #include "motion/bag/bag.h"
+#include "motion/bag/message_index.h"
+#include "motion/bag/topic_search.h"
 #include "synthetic_dataset/pose.h"
 
 namespace synthetic_dataset::motion {
@@ -35,32 +36,22 @@ struct PictureHead {
 
 /// The pictures of a topic of type sensor_msgs/Image or sensor_msgs/CompressedImage, in bags that
 /// count as one recording.
-class RecordedPictures {
+class RecordedPictures : public RecordedMessages<PictureHead> {
  public:
   /// Reads all messages of the topic, and keeps where they are.
   /// @param bag_files  bags that can be read
   /// @throws Error when no bag has such a topic, it has messages of another type, its messages have
   ///     no stamps, or their time goes back
   RecordedPictures(const std::vector<std::string>& bag_files, const std::string& topic);
-  ~RecordedPictures();
-  RecordedPictures(RecordedPictures&&) noexcept;
-  RecordedPictures& operator=(RecordedPictures&&) noexcept;
 
-  [[nodiscard]] const std::string& topic() const;
-
-  /// All pictures in order of stamp, the first recorded one of equal stamps; at least one.
-  [[nodiscard]] const std::vector<PictureHead>& heads() const;
-
-  /// How many were left out since they have the stamp of another one.
-  [[nodiscard]] std::int64_t repeatedCount() const;
+  [[nodiscard]] const std::string& topic() const { return topic_; }
 
   /// A picture of heads(), in any thread.
   /// @throws Error naming the bag that cannot be read any more
   [[nodiscard]] RecordedPicture read(std::size_t index) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::string topic_;
 };
 
 /// "the picture of '/camera/image_raw' at 12.340000000 s", for messages.
@@ -72,6 +63,9 @@ struct FramedPicture {
   std::string frame;  ///< without leading slashes
   RecordedPicture picture;
 };
+
+/// For messages of either type.
+[[nodiscard]] TopicSearch pictureSearch(const std::string& topic);
 
 /// Reads a sensor_msgs/Image or a sensor_msgs/CompressedImage.
 /// @throws Error for any other message
