@@ -14,13 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The box around what is seen of a model; empty where nothing is.
-Eigen::AlignedBox3d boundsOf(const world::Model& model) {
-  world::Description alone;
-  alone.models.push_back(model);
-  return run::visibleBounds(alone);
-}
-
 std::string lengths(const Eigen::Vector3d& size) {
   const int decimals = size.maxCoeff() < 0.1 ? 4 : 2;
   return fixed(size.x(), decimals) + " x " + fixed(size.y(), decimals) + " x " +
@@ -64,7 +57,7 @@ Value modelValue(const world::Model& model) {
                     {"static", Value(model.is_static)},
                     {"position", vectorValue(model.X_WM.translation())},
                     {"links", Value(links)}};
-  const Eigen::AlignedBox3d bounds = boundsOf(model);
+  const Eigen::AlignedBox3d bounds = run::visibleBounds(model, model.X_WM);
   if (!bounds.isEmpty()) {
     map["low"] = vectorValue(bounds.min());
     map["high"] = vectorValue(bounds.max());
@@ -73,7 +66,7 @@ Value modelValue(const world::Model& model) {
 }
 
 void printModel(const world::Model& model, bool with_links, std::ostream& out) {
-  const Eigen::AlignedBox3d bounds = boundsOf(model);
+  const Eigen::AlignedBox3d bounds = run::visibleBounds(model, model.X_WM);
   out << "model " << model.name << ": "
       << (bounds.isEmpty() ? "nothing to see" : lengths(bounds.sizes())) << ", "
       << placeText(model.X_WM.translation()) << (model.is_static ? ", static" : "") << ", "

@@ -79,19 +79,25 @@ ModelCounts countModels(const world::Description& description) {
   return counts;
 }
 
-Eigen::AlignedBox3d visibleBounds(const world::Description& description) {
+Eigen::AlignedBox3d visibleBounds(const world::Model& model, const Pose& X_AM) {
   Eigen::AlignedBox3d bounds;
-  for (const world::Model& model : description.models) {
-    for (const world::Link& link : model.links) {
-      for (const world::Visual& visual : link.visuals) {
-        const Pose X_WV = model.X_WM * link.X_ML * visual.X_LV;
-        for (const world::Surface& surface : visual.surfaces) {
-          for (const Eigen::Vector3f& p : surface.mesh->positions) {
-            bounds.extend(X_WV * Eigen::Vector3d(p.cast<double>()));
-          }
+  for (const world::Link& link : model.links) {
+    for (const world::Visual& visual : link.visuals) {
+      const Pose X_AV = X_AM * link.X_ML * visual.X_LV;
+      for (const world::Surface& surface : visual.surfaces) {
+        for (const Eigen::Vector3f& p : surface.mesh->positions) {
+          bounds.extend(X_AV * Eigen::Vector3d(p.cast<double>()));
         }
       }
     }
+  }
+  return bounds;
+}
+
+Eigen::AlignedBox3d visibleBounds(const world::Description& description) {
+  Eigen::AlignedBox3d bounds;
+  for (const world::Model& model : description.models) {
+    bounds.extend(visibleBounds(model, model.X_WM));
   }
   return bounds;
 }

@@ -24,6 +24,9 @@ struct ModelCounts {
 /// Round all that is seen of the models where their files place them; empty if nothing is.
 [[nodiscard]] Eigen::AlignedBox3d visibleBounds(const world::Description& description);
 
+/// The same of one model that stands at `X_AM`, along the axes of A.
+[[nodiscard]] Eigen::AlignedBox3d visibleBounds(const world::Model& model, const Pose& X_AM);
+
 /// From the front (+x), the right and above.
 [[nodiscard]] inline Eigen::Vector3d usualDirection() { return {-1.0, 0.75, -0.62}; }
 

@@ -11,101 +11,14 @@
 #include "base/yaml_value.h"
 #include "config/config.h"
 #include "config/settings_file.h"
+#include "run/pictures/model_portrait.h"
+#include "run/setup/transfer_preset_text.h"
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::run {
 namespace {
 
 using config::groupIn;
-
-/// What suits everything: no pose and no camera changes.
-const char* const kLook = R"(
-randomize:
-  variety: same_object
-  lights:
-    every:
-      present: 0.9
-      intensity: {log_uniform: [0.8, 2.0]}
-      # Black bodies of 3000, 4000, 5000, 6500 and 9000 K, of equal brightness: linear.
-      colour: {choice: [[1.45, 0.93, 0.42], [1.22, 0.97, 0.67], [1.09, 0.98, 0.85], [0.99, 1.0, 1.03], [0.87, 1.02, 1.27]], weights: [1, 1, 2, 3, 1]}
-      elevation: {uniform: [0.2, 1.5]}
-      azimuth: {uniform: [-3.14159, 3.14159]}
-      shift: {normal: [0.0, 0.15]}
-  ambient: {uniform: [0.55, 0.95]}
-  background: {pictures: natural, brightness: {uniform: [0.8, 1.3]}}
-  materials:
-    objects: {for_each: model, tint: {uniform: [[0.88, 0.84, 0.84], [1.0, 1.0, 1.0]]}}
-  sensor:
-    exposure: {normal: [0.15, 0.3], min: -0.5, max: 0.8}
-    blur: {uniform: [0.0, 1.0]}
-    noise_stddev: {uniform: [0.0, 0.025]}
-)";
-
-/// What the settings' own world gets.
-const char* const kOwnWorld = R"(
-randomize:
-  materials: {world: {textures: natural, tint: {uniform: [0.7, 1.0]}, roughness: {uniform: [0.35, 1.0]}}}
-  distractors: {count: {uniform: [0, 8]}, pool: 60, mode: stand, size: {log_uniform: [0.08, 0.8]}, textures: natural}
-)";
-
-/// What objects that have no surroundings get. Lengths are in sizes of the largest object, but for
-/// those of the air.
-const char* const kSurroundings = R"(
-labels: {min_visibility: 0.15, min_pixels: 16}
-world: {file: "package://synthetic_dataset/worlds/sun.sdf"}
-camera:
-  sample:
-    look_at: any
-    unit: sizes
-    distance: {log_uniform: [1.1, 18.0]}
-    elevation: {uniform: [0.0, 0.8]}
-    aim_offset: {normal: [0.0, 0.12]}
-    roll: {normal: [0.0, 0.08]}
-randomize:
-  sensor: {field_of_view: {uniform: [0.5, 1.3]}}
-  distractors: {count: {uniform: [0, 8]}, pool: 60, textures: natural}
-motions:
-  - name: pasted
-    weight: 1.0
-    placement: {mode: volume, orientation: upright, rows: 0.3, volume: {min: [-2.6, -2.6, 0.0], max: [2.6, 2.6, 0.9]}}
-    randomize:
-      distractors: &flying {size: {log_uniform: [0.14, 1.1]}, volume: {min: [-4.3, -4.3, -0.7], max: [4.3, 4.3, 2.1]}}
-  - name: fallen
-    weight: 0.4
-    placement: {mode: volume, orientation: random, volume: {min: [-2.3, -2.3, 0.0], max: [2.3, 2.3, 1.1]}}
-    camera: {sample: {elevation: {uniform: [0.1, 1.5]}}}
-    randomize:
-      distractors: *flying
-  - name: open_ground
-    weight: 1.0
-    placement: {mode: drop, orientation: upright, rows: 0.3, volume: {min: [-3.0, -3.0, 0.05], max: [3.0, 3.0, 0.3]}}
-    camera: {sample: {elevation: {uniform: [0.03, 0.8]}}}
-    randomize:
-      room: &ground {size: [150.0, 150.0, 0.0], tile: 4.0}
-      materials: &paint {room: {textures: natural, tint: {uniform: [0.7, 1.0]}, roughness: {uniform: [0.35, 1.0]}}}
-      weather: {present: 0.15, visibility: {log_uniform: [40, 400]}, rain: {log_uniform: [1, 20]}}
-      distractors: &standing {mode: stand, size: {log_uniform: [0.2, 3.0]}, volume: {min: [-9.0, -9.0, 0.0], max: [9.0, 9.0, 4.0]}}
-  - name: row
-    weight: 0.5
-    placement: {mode: drop, orientation: upright, rows: 1.0, volume: {min: [-9.0, -9.0, 0.05], max: [9.0, 9.0, 0.3]}}
-    camera: {sample: {elevation: {uniform: [0.03, 0.6]}}}
-    randomize:
-      room: *ground
-      materials: *paint
-      distractors: *standing
-  - name: room
-    weight: 0.7
-    placement: {mode: drop, orientation: upright, rows: 0.3, volume: {min: [-2.8, -2.8, 0.05], max: [2.8, 2.8, 0.3]}}
-    camera: {sample: {distance: {log_uniform: [1.1, 8.0]}}}
-    randomize:
-      room: {size: [11.0, 11.0, 4.5], tile: 3.0}
-      materials: *paint
-      distractors: {mode: stand, size: {log_uniform: [0.15, 1.6]}, volume: {min: [-5.0, -5.0, 0.0], max: [5.0, 5.0, 3.0]}}
-)";
-
-Value::Map parsed(const char* text) {
-  return config::asParameters(base::parseYaml(text, "the preset"), "the preset");
-}
 
 bool has(const Value::Map& settings, const std::string& name) { return settings.count(name) != 0; }
 
@@ -179,22 +92,6 @@ void widenPlacements(Value::Map& settings, std::size_t objects) {
   }
 }
 
-/// The diagonal of the box around what is seen of a model, along its axes [m].
-double sizeOf(const world::Model& model) {
-  Eigen::AlignedBox3d box;
-  for (const world::Link& link : model.links) {
-    for (const world::Visual& visual : link.visuals) {
-      const Pose X_MV = link.X_ML * visual.X_LV;
-      for (const world::Surface& surface : visual.surfaces) {
-        for (const Eigen::Vector3f& p : surface.mesh->positions) {
-          box.extend(X_MV * p.cast<double>());
-        }
-      }
-    }
-  }
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
 const world::Model& modelOf(const scene::ObjectOptions& object, WorldFiles& files) {
   if (object.model) return files.model(*object.model, object.name, object.model_arguments);
   const std::vector<world::Model>& models = files.world().models;
@@ -205,8 +102,8 @@ const world::Model& modelOf(const scene::ObjectOptions& object, WorldFiles& file
   return *found;
 }
 
-/// Of the largest object [m], where some move: of those; what is wrong with models is said when
-/// they are loaded.
+/// The diagonal of the box around what is seen of the largest object [m], where some move: of
+/// those. What is wrong with models is said when they are loaded.
 double largestSize(const config::Config& config, InputCache& inputs) {
   WorldFiles& files = inputs.worlds.filesFor(config.world);
   double largest = 0.0;
@@ -215,7 +112,8 @@ double largestSize(const config::Config& config, InputCache& inputs) {
   for (const scene::ObjectOptions& object : config.objects) {
     if (some_move && object.stands) continue;
     try {
-      largest = std::max(largest, sizeOf(modelOf(object, files)));
+      const Eigen::AlignedBox3d box_M = visibleBounds(modelOf(object, files), Pose::Identity());
+      if (!box_M.isEmpty()) largest = std::max(largest, box_M.diagonal().norm());
     } catch (const Error&) {
       continue;
     }
@@ -319,8 +217,10 @@ ExpandedPreset expandPreset(const Value& settings, InputCache& inputs) {
   Value::Map own = *given;
   groupIn(own, "randomize")->erase("preset");
   const std::string surroundings = ownSurroundings(own);
-  Value::Map expanded = parsed(kLook);
-  config::overlay(expanded, parsed(surroundings.empty() ? kSurroundings : kOwnWorld));
+  const Value::Map parts =
+      config::asParameters(base::parseYaml(kTransferPreset, "the preset"), "the preset");
+  Value::Map expanded = *groupIn(parts, "look");
+  config::overlay(expanded, *groupIn(parts, surroundings.empty() ? "surroundings" : "own_world"));
   if (hasPlace(own)) leaveCameraOut(expanded);
   Value::Map measured = expanded;
   measured.erase("motions");
