@@ -5,6 +5,7 @@
 
 #include "base/json_text.h"
 #include "config/motion_list.h"
+#include "config/settings_file.h"
 #include "run/world_history.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/nearest_name.h"
@@ -12,6 +13,8 @@
 
 namespace synthetic_dataset::run {
 namespace {
+
+using config::groupIn;
 
 /// Whether the motion has the object and its world.
 bool has(const MotionSetup& motion, const std::string& object) {
@@ -25,12 +28,6 @@ bool has(const MotionSetup& motion, const std::string& object) {
 void eraseFrom(Value::Map* settings, const std::vector<std::string>& names) {
   if (settings == nullptr) return;
   for (const std::string& name : names) settings->erase(name);
-}
-
-/// A group of settings; null where there is none.
-Value::Map* groupIn(Value::Map& settings, const std::string& name) {
-  const auto found = settings.find(name);
-  return found == settings.end() ? nullptr : found->second.as<Value::Map>();
 }
 
 /// What changes nothing about where things are and when.
