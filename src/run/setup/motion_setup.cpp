@@ -1,13 +1,11 @@
 #include "run/setup/motion_setup.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
-#include "base/seconds.h"
 #include "motion/placed_frames.h"
+#include "run/setup/camera_setup.h"
 #include "run/setup/input_cache.h"
 #include "run/setup/open_times.h"
 #include "run/setup/recorded_scenes.h"
@@ -16,8 +14,6 @@
 #include "run/setup/setup_notes.h"
 #include "run/setup/world_setup.h"
 #include "scene/link_groups.h"
-#include "scene/stereo_pairs.h"
-#include "synthetic_dataset/label_text.h"
 
 namespace synthetic_dataset::run {
 namespace {
@@ -49,7 +45,7 @@ class MotionBuilder {
   MotionSetup build() {
     openSource();
     loadWorld();
-    setUpCameras();
+    setUpCameras(setup_, sensors_);
     setUpLidars();
     findPictures();
     arrangeScenes();
@@ -211,35 +207,6 @@ class MotionBuilder {
     }
   }
 
-  void setUpCameras() {
-    static const std::vector<world::LinkInstance> kNoLinks;
-    static const std::vector<world::CameraSensor> kNoSensors;
-    for (const scene::CameraOptions& camera : config().cameras) {
-      const bool two_sources = camera.info_file && camera.info_topic;
-      const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
-      if (two_sources || no_source) continue;  // reported already
-      if (!setup_.frames || (!sensors_ && camera.sensor)) {
-        // What it needs besides is reported; its calibration may be wrong, too.
-        (void)diagnostics().attempt([&] { scene::checkInfoFile(camera); });
-        continue;
-      }
-      auto rig = diagnostics().attempt([&] {
-        return scene::makeCameraRig(camera, config().motion.bag_files,
-                                    sensors_ ? *sensors_ : kNoSensors,
-                                    setup_.world ? setup_.world->links() : kNoLinks,
-                                    config().objects, *setup_.frames, diagnostics());
-      });
-      if (!rig) continue;
-      if (rig->sampled && isTaken(rig->frame, camera)) continue;
-      if (rig->sampled) rig->followed = placeSomewhere(rig->frame);
-      if (rig->looks_at) rig->looks_at->centres_O = middlesOf(rig->looks_at->object);
-      noteStrangeLens(camera, rig->model, diagnostics());
-      setup_.cameras.push_back(std::move(*rig));
-    }
-    if (setup_.frames) scene::placeStereoPairs(setup_.cameras, *setup_.frames, diagnostics());
-    scene::notePictureFrames(setup_.cameras, diagnostics());
-  }
-
   void setUpLidars() {
     if (!setup_.frames) return;
     for (const scene::ObjectOptions& object : config().objects) {
@@ -328,32 +295,6 @@ class MotionBuilder {
     }
   }
 
-  /// The centres of the boxes around an object's variants, in its frame.
-  [[nodiscard]] std::vector<Eigen::Vector3d> middlesOf(std::size_t object) const {
-    std::vector<Eigen::Vector3d> middles;
-    if (!setup_.shapes) return middles;  // what is wrong is noted
-    for (const Cuboid& box_O : setup_.shapes->boxesAtRest(object)) {
-      middles.push_back(box_O.centre());
-    }
-    return middles;
-  }
-
-  /// What is placed has a frame of its own: else one would be where the other is.
-  bool isTaken(const std::string& frame, const scene::CameraOptions& camera) {
-    std::string owner = frame == config().global_frame ? "global_frame" : "";
-    for (const scene::ObjectOptions& object : config().objects) {
-      if (object.frame == frame) owner = object.name;
-    }
-    for (const scene::CameraRig& other : setup_.cameras) {
-      if (other.frame == frame) owner = "the camera " + other.name;
-    }
-    if (owner.empty()) return false;
-    diagnostics().error(camera.group + "/frame_id",
-                        "found '" + frame + "', which is also the frame of " + owner +
-                            "; a camera that is put somewhere needs a frame of its own");
-    return true;
-  }
-
   void arrangeScenes() {
     if (!setup_.frames || !setup_.shapes || setup_.cameras.empty()) return;
     on_stage_("arranging the scenes");
@@ -372,7 +313,7 @@ class MotionBuilder {
     if (!setup_.frames || config().objects.empty()) return;
     if (config().isTwin() && !setup_.pictures) return;  // reported already
     if (config().hasRecordedTimes() && setup_.lidars.size() != config().lidars.size()) return;
-    needWhatCamerasNeed();
+    needWhatCamerasNeed(setup_);
     forgetInHoles(config(), *setup_.frames);
     auto timeline = diagnostics().attempt([&] {
       auto stamps = recordedTimes();
@@ -394,38 +335,6 @@ class MotionBuilder {
       if (lidar.name == timing->name) return lidar.recorded->stamps();
     }
     return std::nullopt;
-  }
-
-  /// Whether a camera stands or looks nowhere while an object is not known.
-  [[nodiscard]] bool needs(std::size_t camera, std::size_t object) const {
-    const scene::CameraRig& rig = setup_.cameras[camera];
-    const auto name = config().objects[object].name;
-    if (rig.looks_at && rig.looks_at->object == object) return true;
-    if (rig.is_carried && rig.followed == setup_.frames->find(config().objects[object].frame)) {
-      return true;
-    }
-    if (rig.link) {
-      return setup_.world->links()[*rig.link].object == static_cast<int>(object);
-    }
-    return std::any_of(
-        config().cameras.begin(), config().cameras.end(), [&](const scene::CameraOptions& each) {
-          return each.name == rig.name && each.sample && each.sample->look_at == name;
-        });
-  }
-
-  void needWhatCamerasNeed() {
-    for (std::size_t i = 0; i < config().objects.size(); ++i) {
-      scene::ObjectOptions& object = setup_.config.objects[i];
-      if (object.when_unknown == scene::WhenUnknown::kSkipScene) continue;
-      for (std::size_t camera = 0; camera < setup_.cameras.size(); ++camera) {
-        if (!needs(camera, i)) continue;
-        object.when_unknown = scene::WhenUnknown::kSkipScene;
-        diagnostics().note(object.name + "/when_unknown",
-                           "where it is not known, no scene is made all the same, as the camera " +
-                               setup_.cameras[camera].name + " is on it or looks at it");
-        break;
-      }
-    }
   }
 
   InputCache& inputs_;
