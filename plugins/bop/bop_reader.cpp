@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -132,8 +133,9 @@ LabelledPicture readScene(const WrittenScene& scene) {
         label.class_names = owner->second.class_names;
         label.X_CO = objectPose(X_CM, owner->second.X_OM);
       }
-      const std::string mask = name + "_" + sixDigits(labels.size()) + ".png";
-      label.mask = readPicture(folder / "mask_visib" / mask, cv::IMREAD_GRAYSCALE);
+      const std::string index = sixDigits(static_cast<std::int64_t>(labels.size()));
+      label.mask =
+          readPicture(folder / "mask_visib" / (name + "_" + index + ".png"), cv::IMREAD_GRAYSCALE);
       label.box = boxOf(infos.at(labels.size()).at("bbox_obj"));
       auto corners = boundsOf(models.at(label.caption)).corners();
       for (Eigen::Vector3d& corner : corners) corner = X_CM * corner;
