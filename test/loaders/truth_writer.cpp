@@ -84,7 +84,7 @@ Json cloud(const Cloud& given) {
   return {{"X_GS", matrix(given.X_GS)}, {"points", std::move(points)}};
 }
 
-Json object(const SceneObject& given, const CameraModel& camera) {
+Json object(const SceneObject& given, const CameraModel& model) {
   Json keypoints = Json::array();
   for (const Keypoint& each : given.keypoints) keypoints.push_back(keypoint(each));
   const Cuboid& cuboid = given.cuboid_O;
@@ -100,7 +100,7 @@ Json object(const SceneObject& given, const CameraModel& camera) {
           {"keypoints", keypoints},
           {"cuboid_O", {numbers(cuboid.low), numbers(cuboid.high)}},
           {"loose_box", box(given.loose_box)},
-          {"in_view", given.inView(camera)},
+          {"in_view", given.inView(model)},
           {"silhouette_box", box(given.silhouette_box())},
           {"visible_box", box(given.visible_box())},
           {"silhouette_pixels", given.pixels.silhouette()},
