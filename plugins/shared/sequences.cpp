@@ -80,8 +80,9 @@ void Sequences::forEachFrame(std::size_t sequence, const SceneRecords& records,
 
 std::int64_t Sequences::length(std::size_t sequence, const SceneRecords& records) const {
   std::int64_t length = 0;
-  records.forEach(std::to_string(sequence),
-                  [&](std::int64_t /*scene*/, const std::string& /*record*/) { ++length; });
+  forEachFrame(sequence, records,
+               [&](std::int64_t /*frame*/, const std::string& /*image*/,
+                   const std::string& /*labels*/) { ++length; });
   return length;
 }
 
