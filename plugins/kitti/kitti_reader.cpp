@@ -47,7 +47,6 @@ DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
   constexpr double kSinglePrecision = 1e-5;  // [m], that a ray's length may cost of a depth
   DecodedPicture picture;
   picture.name = "depth";
-  if (camera.isPinhole()) picture.stored_as = picture.name;
   picture.numbers.rounding = kSinglePrecision;
   picture.files = {scan};
   cv::Mat depth(camera.height(), camera.width(), CV_32FC1, cv::Scalar(0));

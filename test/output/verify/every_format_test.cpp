@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <opencv2/core.hpp>
 
 #include "output/verify/verification_fixture.h"
 #include "plugins/format_cases.h"
@@ -69,6 +70,15 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithAHugeLooseBox) {
   Scene scene = sceneOfBoth(0);
   // Of an object by the near plane, seen through a lens.
   scene.objects[0].loose_box = Box{-3.3e21, -7.1e15, 410.5, 300.25};
+  write({scene}, GetParam().parameters);
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+TEST_P(VerifyEveryFormat, FindsNothingWrongWithSurfacesAtAnyDepth) {
+  Scene scene = sceneOfBoth(0);
+  cv::Mat depth = scene.depth();
+  cv::theRNG().state = 4;
+  cv::randu(depth, 0.5F, 60.0F);
   write({scene}, GetParam().parameters);
   EXPECT_THAT(problems(), IsEmpty());
 }
