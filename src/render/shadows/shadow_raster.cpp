@@ -303,7 +303,7 @@ cv::Mat castMap(const std::vector<CastBody>& bodies, int size) {
     }
   });
   cv::Mat roomy(size, size + kLaneCount, CV_32FC1);
-  const cv::Mat map = roomy.colRange(0, size);
+  cv::Mat map = roomy.colRange(0, size);
   constexpr int kBand = 128;  // [texel] high
   const int bands = (size + kBand - 1) / kBand;
   cv::parallel_for_(
