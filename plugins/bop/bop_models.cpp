@@ -245,9 +245,8 @@ void addBopModels(const BopModels& models, const DatasetInfo& dataset, DatasetOu
                      [&](std::ostream& stream) { writePly(stream, surface_M, kMillimetres); });
     }
   }
-  for (const std::string& folder : folders) {
-    output.addText(folder + "models_info.json", indentedJson(infosOf(models)));
-  }
+  const std::string infos = indentedJson(infosOf(models));
+  for (const std::string& folder : folders) output.addText(folder + "models_info.json", infos);
 }
 
 }  // namespace synthetic_dataset

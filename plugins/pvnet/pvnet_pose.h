@@ -11,7 +11,7 @@ namespace synthetic_dataset {
 [[nodiscard]] std::string numpyPose(const Pose& pose);
 
 /// The pose of such a file.
-/// @param bytes  a 3 x 4 matrix of doubles stands at their end
+/// @param bytes  of the whole file; the last 96 are the matrix
 /// @throws Error where they are too few
 [[nodiscard]] Pose poseOfNumpy(const std::string& bytes);
 

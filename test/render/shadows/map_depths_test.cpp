@@ -29,7 +29,8 @@ cv::Mat depthsOf(const MapDepths& map) {
   return assembled.depths().clone();
 }
 
-/// A camera that stands and one that rides: what all maps have in common is kept for the first.
+/// With a camera that stands, further maps share what never moves (true); with one that drives,
+/// each map has its own (false).
 class MapDepthsTest : public testing::TestWithParam<bool> {
  protected:
   MapDepthsTest() {
