@@ -127,8 +127,10 @@ void TruthInserter::insertObject(std::int64_t scene, std::int64_t object,
              maskBlob(facts.silhouette), maskBlob(facts.visible_mask));
   std::int64_t sequence = 0;
   for (const KeypointFacts& each : facts.keypoints) {
-    const std::optional<double> u = each.pixel ? std::optional(each.pixel->x()) : std::nullopt;
-    const std::optional<double> v = each.pixel ? std::optional(each.pixel->y()) : std::nullopt;
+    std::optional<double> u;
+    std::optional<double> v;
+    if (each.pixel) u = each.pixel->x();
+    if (each.pixel) v = each.pixel->y();
     keypoint_.run(scene, object, sequence++, each.p_O.x(), each.p_O.y(), each.p_O.z(), u, v,
                   stateText(each.state));
   }
