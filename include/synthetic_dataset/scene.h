@@ -53,7 +53,7 @@ struct PixelCounts {
 };
 
 /// One labelled object at one instant. Frames: G global, C the camera's optical frame, O the
-/// object. What is Required is called: `object.visibility()`.
+/// object. What is Required is called: `object.silhouette()`.
 ///
 /// Its measures (`pixels`, `visibility`, `truncation`, `silhouette_box`) are exact whatever the
 /// parameter `masks/method`: they are counted in the renderer's identifiers. Its masks and its
@@ -92,18 +92,11 @@ struct SceneObject {
   /// The visible (modal) mask: where the camera sees the object.
   Required<Mask> visible_mask{"SceneObject::visible_mask", "visible_masks"};
 
-  /// Tight boxes [px] around all pixels, from the first one's edge to the last one's; nothing where
-  /// there is no pixel. That of the silhouette reaches past the image's edge.
+  /// The tight box [px] around all pixels of the silhouette, past the image's edge too; nothing
+  /// where there is none.
   Required<std::optional<Box>> silhouette_box{"SceneObject::silhouette_box", "visibility"};
-  Required<std::optional<Box>> visible_box{"SceneObject::visible_box", "visible_masks"};
 
   PixelCounts pixels;
-
-  /// Visible pixels / pixels of the silhouette, the latter taken past the image's edge; 0 .. 1.
-  Required<double> visibility{"SceneObject::visibility", "visibility"};
-
-  /// The share of the silhouette outside the image, 0 .. 1.
-  Required<double> truncation{"SceneObject::truncation", "visibility"};
 
   /// It is not in the scene, or too little of it is visible for the parameters
   /// `labels/min_visibility` and `labels/min_pixels`.
@@ -114,6 +107,19 @@ struct SceneObject {
   [[nodiscard]] bool inView(const CameraModel& camera) const {
     return loose_box && intersection(*loose_box, camera.imageBounds());
   }
+
+  /// The tight box [px] around the visible mask, from its first pixel's edge to its last one's;
+  /// nothing where no pixel is visible.
+  /// @throws Error unless visible masks are required
+  [[nodiscard]] std::optional<Box> visibleBox() const;
+
+  /// Visible pixels / pixels of the silhouette, the latter taken past the image's edge; 0 .. 1.
+  /// @throws Error unless visibility is required
+  [[nodiscard]] double visibility() const;
+
+  /// The share of the silhouette outside the image, 0 .. 1.
+  /// @throws Error unless visibility is required
+  [[nodiscard]] double truncation() const;
 
   /// From the camera's centre to the origin of the object's frame [m].
   /// @throws Error where it is not in the scene

@@ -215,7 +215,7 @@ class BopWriter : public LabelWriter {
     }
     const bool is_seen = object.pixels.visible() > 0;
     return {{"bbox_obj", toolkitBox(is_seen ? object.silhouette_box() : std::nullopt)},
-            {"bbox_visib", toolkitBox(is_seen ? object.visible_box() : std::nullopt)},
+            {"bbox_visib", toolkitBox(is_seen ? object.visibleBox() : std::nullopt)},
             {"px_count_all", object.pixels.silhouette()},
             {"px_count_valid", cv::countNonZero(valid)},
             {"px_count_visib", object.pixels.visible()},

@@ -127,7 +127,7 @@ class CocoWriter : public LabelWriter {
     std::string annotations;
     for (const SceneObject& object : scene.objects) {
       const auto box = boxOf(object, options_.box, scene.camera);
-      if (!object.labelled() || !object.visible_box() || !box) continue;
+      if (!object.labelled() || !object.visibleBox() || !box) continue;
       labelled.push_back(&object);
       annotations +=
           (annotations.empty() ? "" : ",\n") + jsonText(annotationOf(scene, object, *box));
@@ -255,7 +255,7 @@ class CocoWriter : public LabelWriter {
       segments.push_back({{"id", id},
                           {"category_id", categoryId(object->class_id)},
                           {"area", object->visible_mask().count()},
-                          {"bbox", cocoBox(*object->visible_box())},
+                          {"bbox", cocoBox(*object->visibleBox())},
                           {"iscrowd", 0}});
     }
     cv::Mat_<cv::Vec3b> ids(scene.instance_map().size());

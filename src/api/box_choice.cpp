@@ -20,9 +20,9 @@ Requirements requirementsOf(BoxChoice choice) {
 }
 
 std::optional<Box> boxOf(const SceneObject& object, BoxChoice choice, const CameraModel& camera) {
-  const std::optional<Box>& box = choice == BoxChoice::kLoose        ? object.loose_box
-                                  : choice == BoxChoice::kSilhouette ? object.silhouette_box()
-                                                                     : object.visible_box();
+  const std::optional<Box> box = choice == BoxChoice::kLoose        ? object.loose_box
+                                 : choice == BoxChoice::kSilhouette ? object.silhouette_box()
+                                                                    : object.visibleBox();
   return box ? intersection(*box, camera.imageBounds()) : std::nullopt;
 }
 

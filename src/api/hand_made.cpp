@@ -38,7 +38,6 @@ SceneObject handMadeObject(const std::string& name) {
   object.silhouette = Mask(kImageSize);
   object.silhouette_box = std::nullopt;
   object.pixels.silhouette = object.pixels.silhouette_in_image = 0;
-  object.truncation = 0.0;
   return hidden(object);
 }
 
@@ -50,19 +49,14 @@ SceneObject handMadeObject(const std::string& name, const cv::Rect& pixels) {
   object.visible_mask = maskOf(visible);
   object.loose_box = edgesOf(pixels);
   object.silhouette_box = object.loose_box;
-  if (!visible.empty()) object.visible_box = edgesOf(visible);
   object.pixels.silhouette = pixels.area();
   object.pixels.silhouette_in_image = object.pixels.visible = visible.area();
-  object.visibility = static_cast<double>(visible.area()) / pixels.area();
-  object.truncation = 1.0 - object.visibility();
   return object;
 }
 
 SceneObject hidden(SceneObject object) {
   object.visible_mask = Mask(kImageSize);
-  object.visible_box = std::nullopt;
   object.pixels.visible = 0;
-  object.visibility = 0.0;
   return object;
 }
 

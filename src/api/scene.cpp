@@ -6,6 +6,22 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
+std::optional<Box> SceneObject::visibleBox() const {
+  const cv::Rect bounds = visible_mask().bounds();
+  if (bounds.empty()) return std::nullopt;
+  return Box{bounds.x - 0.5, bounds.y - 0.5, bounds.br().x - 0.5, bounds.br().y - 0.5};
+}
+
+double SceneObject::visibility() const {
+  const auto of_all = static_cast<double>(pixels.silhouette());
+  return of_all > 0.0 ? static_cast<double>(pixels.visible()) / of_all : 0.0;
+}
+
+double SceneObject::truncation() const {
+  const auto of_all = static_cast<double>(pixels.silhouette());
+  return of_all > 0.0 ? 1.0 - static_cast<double>(pixels.silhouette_in_image()) / of_all : 0.0;
+}
+
 double SceneObject::distance() const {
   if (!X_CO) throw Error("'" + name + "' is not in the scene, and so at no distance");
   return X_CO->translation().norm();

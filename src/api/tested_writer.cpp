@@ -184,14 +184,9 @@ Scene withRequired(Scene scene, const Requirements& required) {
   for (SceneObject& object : scene.objects) {
     const SceneObject nothing;
     if (!required.silhouettes) object.silhouette = nothing.silhouette;
-    if (!visible_masks) {
-      object.visible_mask = nothing.visible_mask;
-      object.visible_box = nothing.visible_box;
-    }
+    if (!visible_masks) object.visible_mask = nothing.visible_mask;
     if (!required.visibility) {
       object.silhouette_box = nothing.silhouette_box;
-      object.visibility = nothing.visibility;
-      object.truncation = nothing.truncation;
       object.pixels.silhouette = nothing.pixels.silhouette;
       object.pixels.silhouette_in_image = nothing.pixels.silhouette_in_image;
       if (!visible_masks) object.pixels.visible = nothing.pixels.visible;

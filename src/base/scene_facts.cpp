@@ -25,11 +25,12 @@ ObjectFacts objectFacts(const SceneObject& object) {
   facts.dropped = object.dropped;
   facts.loose_box = object.loose_box;
   facts.silhouette_box = ifKnown(object.silhouette_box);
-  facts.visible_box = ifKnown(object.visible_box);
+  if (object.visible_mask.isKnown()) facts.visible_box = object.visibleBox();
   facts.silhouette_pixels = ifKnown(object.pixels.silhouette);
   facts.visible_pixels = ifKnown(object.pixels.visible);
-  facts.visibility = ifKnown(object.visibility);
-  facts.truncation = ifKnown(object.truncation);
+  facts.silhouette_in_image = ifKnown(object.pixels.silhouette_in_image);
+  if (facts.silhouette_pixels && facts.visible_pixels) facts.visibility = object.visibility();
+  if (facts.silhouette_pixels && facts.silhouette_in_image) facts.truncation = object.truncation();
   facts.cuboid_O = object.cuboid_O;
   facts.bounding_shape_O = object.bounding_shape_O;
   const std::size_t count = std::max(object.keypoints_O.size(), object.keypoints.size());
@@ -42,7 +43,6 @@ ObjectFacts objectFacts(const SceneObject& object) {
     }
     facts.keypoints.push_back(keypoint);
   }
-  facts.silhouette_in_image = ifKnown(object.pixels.silhouette_in_image);
   facts.silhouette = ifKnown(object.silhouette);
   facts.visible_mask = ifKnown(object.visible_mask);
   return facts;

@@ -105,6 +105,8 @@ struct SceneFacts {
   std::map<std::string, cv::Mat> pictures = {};   ///< that were drawn, by their names in Scene
   std::map<std::string, cv::Mat> link_maps = {};  ///< "world_map" and "part_map", as in Scene
   std::vector<PictureFacts> known_pictures = {};  ///< where it was read from a manifest
+
+  [[nodiscard]] Box imageBounds() const { return {-0.5, -0.5, width - 0.5, height - 0.5}; }
 };
 
 /// What a scene knows of an object, but for `mask_agreement`.

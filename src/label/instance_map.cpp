@@ -30,11 +30,6 @@ void visitRuns(const cv::Mat& instance_map, const Visit& visit) {
 
 }  // namespace
 
-std::optional<Box> InstancePixels::box() const {
-  if (count == 0) return std::nullopt;
-  return Box{bounds.x - 0.5, bounds.y - 0.5, bounds.br().x - 0.5, bounds.br().y - 0.5};
-}
-
 cv::Mat instanceMap(const cv::Mat& ids) {
   cv::Mat map;
   ids.convertTo(map, CV_16UC1);

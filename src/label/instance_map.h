@@ -6,7 +6,6 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "synthetic_dataset/box.h"
 #include "synthetic_dataset/mask.h"
 
 namespace synthetic_dataset::label {
@@ -15,9 +14,6 @@ namespace synthetic_dataset::label {
 struct InstancePixels {
   std::int64_t count = 0;
   cv::Rect bounds;  ///< empty where there is none
-
-  /// From the first pixel's edge to the last one's.
-  [[nodiscard]] std::optional<Box> box() const;
 };
 
 /// Identifiers as an instance map: the same numbers, CV_16UC1.

@@ -173,10 +173,6 @@ void PixelLabeller::measureSilhouettes(const TakenView& view, Scene& scene) {
     object.silhouette_box = silhouette.box;
     object.pixels.silhouette = silhouette.pixels;
     object.pixels.silhouette_in_image = silhouette.pixels_in_image;
-    object.truncation = silhouette.pixels == 0
-                            ? 0.0
-                            : 1.0 - static_cast<double>(silhouette.pixels_in_image) /
-                                        static_cast<double>(silhouette.pixels);
     if (requirements_.silhouettes) object.silhouette = std::move(silhouette.mask);
   }
 }
@@ -193,10 +189,6 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const cv::Mat& covered
   for (std::size_t i = 0; i < count; ++i) {
     SceneObject& object = scene.objects[i];
     object.pixels.visible = parts[i].count;
-    if (needs_silhouettes_) {
-      const auto of_all = static_cast<double>(object.pixels.silhouette());
-      object.visibility = of_all > 0.0 ? static_cast<double>(parts[i].count) / of_all : 0.0;
-    }
     distances.push_back(object.X_CO ? object.distance() : 0.0);  // without any pixel
   }
   if (subtracted) {
@@ -221,7 +213,6 @@ void PixelLabeller::addVisibleParts(const cv::Mat& instance_map,
                                     Scene& scene) const {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     SceneObject& object = scene.objects[i];
-    object.visible_box = parts[i].box();
     object.visible_mask = label::instanceMask(instance_map, object.instance, parts[i].bounds);
   }
   scene.instance_map = instance_map;

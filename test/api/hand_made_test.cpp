@@ -15,8 +15,8 @@ TEST(HandMadeObject, HasMeasuresThatAgree) {
   EXPECT_EQ(cup.silhouette().bounds(), kPixels);
   EXPECT_EQ(cup.visible_mask().count(), kPixels.area());
   EXPECT_EQ(cup.pixels.visible(), kPixels.area());
-  EXPECT_EQ(cup.visible_box()->left, 9.5);
-  EXPECT_EQ(cup.visible_box()->bottom, 59.5);
+  EXPECT_EQ(cup.visibleBox()->left, 9.5);
+  EXPECT_EQ(cup.visibleBox()->bottom, 59.5);
   EXPECT_EQ(cup.visibility(), 1.0);
   EXPECT_EQ(cup.truncation(), 0.0);
 }
@@ -27,7 +27,7 @@ TEST(HandMadeObject, IsTruncatedAtTheImagesEdge) {
   EXPECT_EQ(cup.pixels.visible(), 200);
   EXPECT_EQ(cup.visibility(), 0.5);
   EXPECT_EQ(cup.truncation(), 0.5);
-  EXPECT_EQ(cup.visible_box()->right, 639.5);
+  EXPECT_EQ(cup.visibleBox()->right, 639.5);
   EXPECT_EQ(cup.silhouette_box()->right, 659.5);
 }
 
@@ -35,7 +35,7 @@ TEST(HandMadeObject, MayBeHidden) {
   const SceneObject cup = hidden(handMadeObject("cup", kPixels));
   EXPECT_FALSE(cup.labelled());
   EXPECT_EQ(cup.silhouette().count(), kPixels.area());
-  EXPECT_EQ(cup.visible_box(), std::nullopt);
+  EXPECT_EQ(cup.visibleBox(), std::nullopt);
 }
 
 TEST(HandMadeScene, ShowsItsObjectsInItsMaps) {

@@ -11,9 +11,9 @@ namespace required_test {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string failureOf(const Required<double>& value) {
+std::string truncationOf(const SceneObject& object) {
   try {
-    (void)value();
+    (void)object.truncation();
   } catch (const Error& error) {
     return error.what();
   }
@@ -21,23 +21,23 @@ std::string failureOf(const Required<double>& value) {
 }
 
 TEST(Required, NamesWhatWasNotComputedAndWhatAsksForIt) {
-  EXPECT_THAT(failureOf(SceneObject().truncation),
-              AllOf(HasSubstr("SceneObject::truncation"), HasSubstr("Requirements::visibility")));
+  EXPECT_THAT(truncationOf(SceneObject()),
+              AllOf(HasSubstr("PixelCounts::silhouette"), HasSubstr("Requirements::visibility")));
 }
 
 TEST(Required, HoldsWhatWasComputed) {
   SceneObject object;
-  EXPECT_FALSE(object.visibility.isKnown());
-  object.visibility = 0.0;
-  EXPECT_TRUE(object.visibility.isKnown());
-  EXPECT_EQ(object.visibility(), 0.0);
+  EXPECT_FALSE(object.pixels.visible.isKnown());
+  object.pixels.visible = 0;
+  EXPECT_TRUE(object.pixels.visible.isKnown());
+  EXPECT_EQ(object.pixels.visible(), 0);
 }
 
 TEST(Required, KnowsNothingFromNotKnown) {
   SceneObject object;
-  EXPECT_THROW((void)object.visible_box(), Error);
-  object.visible_box = std::nullopt;
-  EXPECT_FALSE(object.visible_box().has_value());
+  EXPECT_THROW((void)object.silhouette_box(), Error);
+  object.silhouette_box = std::nullopt;
+  EXPECT_FALSE(object.silhouette_box().has_value());
 }
 
 TEST(SceneObject, AsksForPixelsWhenAskedForALabel) {

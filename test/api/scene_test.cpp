@@ -20,6 +20,32 @@ TEST(Scene, HasAFolderForItsSplitAndANameWithoutFolders) {
   EXPECT_EQ(scene.flatName(), "front_00000012");
 }
 
+TEST(SceneObject, MeasuresByItsPixels) {
+  SceneObject object;
+  EXPECT_THROW((void)object.visibility(), Error);
+  EXPECT_THROW((void)object.visibleBox(), Error);
+  object.pixels.silhouette = 200;
+  object.pixels.silhouette_in_image = 150;
+  object.pixels.visible = 50;
+  EXPECT_EQ(object.visibility(), 0.25);
+  EXPECT_EQ(object.truncation(), 0.25);
+  object.visible_mask = Mask(cv::Mat1b(5, 10, 255), {20, 30}, {64, 48});
+  ASSERT_TRUE(object.visibleBox());
+  EXPECT_EQ(object.visibleBox()->left, 19.5);
+  EXPECT_EQ(object.visibleBox()->top, 29.5);
+  EXPECT_EQ(object.visibleBox()->right, 29.5);
+  EXPECT_EQ(object.visibleBox()->bottom, 34.5);
+}
+
+TEST(SceneObject, MeasuresNothingOfNoPixel) {
+  SceneObject object;
+  object.pixels.silhouette = object.pixels.silhouette_in_image = object.pixels.visible = 0;
+  EXPECT_EQ(object.visibility(), 0.0);
+  EXPECT_EQ(object.truncation(), 0.0);
+  object.visible_mask = Mask(cv::Size(64, 48));
+  EXPECT_EQ(object.visibleBox(), std::nullopt);
+}
+
 TEST(Scene, KnowsTheTransformsThatItWasGiven) {
   Scene scene = emptyScene();
   EXPECT_THROW((void)scene.transform("map", "sensor"), Error);

@@ -36,17 +36,7 @@ TEST(InstancePixels, CountsAndBoundsEachObject) {
   EXPECT_EQ(pixels[0].count, 3);
   EXPECT_EQ(pixels[0].bounds, cv::Rect(1, 0, 2, 2));
   EXPECT_EQ(pixels[1].count, 0);
-  EXPECT_EQ(pixels[1].box(), std::nullopt);
   EXPECT_EQ(pixels[2].bounds, cv::Rect(0, 1, 4, 1));
-}
-
-TEST(InstancePixels, BoxesRunFromEdgeToEdge) {
-  const auto box = instancePixels(instanceMap(idsOf({{0, 0}, {0, 1}})), 1)[0].box();
-  ASSERT_TRUE(box);
-  EXPECT_EQ(box->left, 0.5);
-  EXPECT_EQ(box->top, 0.5);
-  EXPECT_EQ(box->right, 1.5);
-  EXPECT_EQ(box->bottom, 1.5);
 }
 
 TEST(InstanceMask, IsOneObjectsPart) {

@@ -97,11 +97,11 @@ TEST_F(PixelLabels, AnObjectInTheOpenIsAllVisible) {
   const Scene scene = sceneWith(everything());
   const SceneObject& alpha = scene.objects[0];
   // Its front face is 2.8 m away: 0.4 m are 20 px. Seen from above, its top face shows as well.
-  ASSERT_TRUE(alpha.visible_box());
-  EXPECT_NEAR(alpha.visible_box()->left, 79.5 - 10.0, 0.5);
-  EXPECT_NEAR(alpha.visible_box()->right, 79.5 + 10.0, 0.5);
-  EXPECT_NEAR(alpha.visible_box()->bottom, 59.5 + 0.5 / 2.8 * 140, 0.5);
-  EXPECT_NEAR(alpha.visible_box()->top, 59.5 + 0.1 / 3.2 * 140, 0.5);
+  ASSERT_TRUE(alpha.visibleBox());
+  EXPECT_NEAR(alpha.visibleBox()->left, 79.5 - 10.0, 0.5);
+  EXPECT_NEAR(alpha.visibleBox()->right, 79.5 + 10.0, 0.5);
+  EXPECT_NEAR(alpha.visibleBox()->bottom, 59.5 + 0.5 / 2.8 * 140, 0.5);
+  EXPECT_NEAR(alpha.visibleBox()->top, 59.5 + 0.1 / 3.2 * 140, 0.5);
   EXPECT_EQ(alpha.visibility(), 1.0);
   EXPECT_EQ(alpha.truncation(), 0.0);
   EXPECT_EQ(alpha.pixels.visible(), alpha.visible_mask().count());
@@ -175,7 +175,7 @@ TEST_F(PixelLabels, AnObjectOutOfViewIsNotLabelled) {
   place(test::poseAt(0, kAxis, 0), test::poseAt(0, 5, 0));
   const SceneObject bravo = sceneWith(everything()).objects[1];
   EXPECT_EQ(bravo.pixels.visible(), 0);
-  EXPECT_FALSE(bravo.visible_box());
+  EXPECT_FALSE(bravo.visibleBox());
   EXPECT_EQ(bravo.truncation(), 1.0);
   EXPECT_FALSE(bravo.labelled());
 }
@@ -204,7 +204,7 @@ TEST_F(PixelLabels, AnObjectHalfBehindAnotherIsHalfVisible) {
   EXPECT_EQ(alpha.visibility(), 1.0);
   EXPECT_GT(bravo.visibility(), 0.4);
   EXPECT_LT(bravo.visibility(), 0.7);
-  EXPECT_NEAR(bravo.visible_box()->left, alpha.visible_box()->right, 1.01);
+  EXPECT_NEAR(bravo.visibleBox()->left, alpha.visibleBox()->right, 1.01);
   EXPECT_EQ(cv::countNonZero(alpha.visible_mask().whole() & bravo.visible_mask().whole()), 0);
   EXPECT_GT(cv::countNonZero(alpha.visible_mask().whole() & bravo.silhouette().whole()), 0);
 }
@@ -278,7 +278,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
     const SceneObject bravo = sceneWith(everything()).objects[1];
     if (bravo.pixels.visible() > 0) continue;
     ++hidden;
-    EXPECT_FALSE(bravo.visible_box()) << i;
+    EXPECT_FALSE(bravo.visibleBox()) << i;
     EXPECT_TRUE(bravo.visible_mask().empty()) << i;
   }
   EXPECT_GE(hidden, 5);

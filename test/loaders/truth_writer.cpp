@@ -102,7 +102,7 @@ Json object(const SceneObject& given, const CameraModel& model) {
           {"loose_box", box(given.loose_box)},
           {"in_view", given.inView(model)},
           {"silhouette_box", box(given.silhouette_box())},
-          {"visible_box", box(given.visible_box())},
+          {"visible_box", box(given.visibleBox())},
           {"silhouette_pixels", given.pixels.silhouette()},
           {"silhouette_pixels_in_image", given.pixels.silhouette_in_image()},
           {"visible_pixels", given.pixels.visible()},

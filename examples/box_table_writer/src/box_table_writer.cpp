@@ -30,7 +30,7 @@ class BoxTableWriter : public LabelWriter {
     const std::string image = "images/" + scene.name + ".png";
     output.addImage(image, scene.image);
     for (const SceneObject& object : scene.objects) {
-      const std::optional<Box>& box = object.visible_box();
+      const std::optional<Box> box = object.visibleBox();
       if (!object.labelled() || !box) continue;
       std::string row = image + "," + object.name + "," + object.class_name;
       for (const double edge : {box->left, box->top, box->right, box->bottom}) {

@@ -269,10 +269,9 @@ void Manifest::withdraw(const std::string& path) {
 }
 
 void Manifest::insertMeasures(const SceneFacts& scene) {
-  const Box image{-0.5, -0.5, scene.width - 0.5, scene.height - 0.5};
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const ObjectFacts& each = scene.objects[i];
-    const bool is_in_view = each.loose_box && intersection(*each.loose_box, image);
+    const bool is_in_view = each.loose_box && intersection(*each.loose_box, scene.imageBounds());
     using Number = std::optional<double>;
     const Eigen::Vector3d p = each.X_GO.value_or(Pose::Identity()).translation();
     const Eigen::Quaterniond q(each.X_GO.value_or(Pose::Identity()).linear());

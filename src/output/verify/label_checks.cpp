@@ -166,9 +166,8 @@ double fitOf(const MeasuredLabel& label, const ObjectFacts& object, const SceneF
   if (X_CO && object.X_GO) return areNear(*X_CO, facts.X_GC.inverse() * *object.X_GO) ? 1.0 : 0.0;
   const std::optional<Box> extent = extentOf(label);
   double fit = 0.0;
-  const Box image{-0.5, -0.5, facts.width - 0.5, facts.height - 0.5};
   for (const auto& box : {object.visible_box, object.silhouette_box, object.loose_box}) {
-    const std::optional<Box> seen = box ? intersection(*box, image) : std::nullopt;
+    const std::optional<Box> seen = box ? intersection(*box, facts.imageBounds()) : std::nullopt;
     if (extent && seen) fit = std::max(fit, overlapOf(*extent, *seen));
   }
   return fit;

@@ -77,13 +77,8 @@ void addMeasures(const ObjectFacts& facts, const Pose& X_CG, SceneObject& object
   }
   if (facts.silhouette_in_image) object.pixels.silhouette_in_image = *facts.silhouette_in_image;
   if (facts.visible_pixels) object.pixels.visible = *facts.visible_pixels;
-  if (facts.visibility) object.visibility = *facts.visibility;
-  if (facts.truncation) object.truncation = *facts.truncation;
   if (facts.silhouette) object.silhouette = *facts.silhouette;
-  if (facts.visible_mask) {
-    object.visible_mask = *facts.visible_mask;
-    object.visible_box = facts.visible_box;
-  }
+  if (facts.visible_mask) object.visible_mask = *facts.visible_mask;
 }
 
 /// Masks that are parts of one map, put together again.

@@ -18,7 +18,7 @@ formats::DrawnLabel labelOf(const Scene& scene, const SceneObject& object) {
                   fixed(object.distance(), 1) + " m";
   label.colour = static_cast<std::size_t>(object.class_id);
   label.mask = object.visible_mask().whole();
-  label.box = object.visible_box();
+  label.box = object.visibleBox();
   label.lines = formats::cuboidLines(object.cuboid_O, *object.X_CO, scene.camera);
   for (const Keypoint& keypoint : object.keypoints) {
     if (!keypoint.pixel) continue;

@@ -22,12 +22,12 @@ cv::Mat surroundingsOf(const Scene& scene, const cv::Size& size) {
   cv::Mat surroundings(size, CV_8U, cv::Scalar::all(1));
   const double scale = static_cast<double>(size.width) / scene.image.cols;
   for (const SceneObject& object : scene.objects) {
-    if (!object.labelled() || !object.visible_box()) continue;
-    const Box& box = *object.visible_box();
-    const cv::Point first(static_cast<int>(std::floor(box.left * scale)),
-                          static_cast<int>(std::floor(box.top * scale)));
-    const cv::Point last(static_cast<int>(std::floor(box.right * scale)) + 2,
-                         static_cast<int>(std::floor(box.bottom * scale)) + 2);
+    const std::optional<Box> box = object.visibleBox();
+    if (!object.labelled() || !box) continue;
+    const cv::Point first(static_cast<int>(std::floor(box->left * scale)),
+                          static_cast<int>(std::floor(box->top * scale)));
+    const cv::Point last(static_cast<int>(std::floor(box->right * scale)) + 2,
+                         static_cast<int>(std::floor(box->bottom * scale)) + 2);
     surroundings(cv::Rect(first, last) & cv::Rect({}, size)).setTo(0);
   }
   return surroundings;

@@ -66,7 +66,7 @@ Value objectValue(const SceneObject& object, const CameraModel& camera) {
       {"visible", object.pixels.visible()},
       {"visibility", object.visibility()},
       {"truncation", object.truncation()},
-      {"box", boxValue(object.visible_box())},
+      {"box", boxValue(object.visibleBox())},
       {"amodal_box", boxValue(object.silhouette_box())},
       {"loose_box", boxValue(object.loose_box)},
       {"polygons", polygonsValue(object.visible_mask())},

@@ -260,7 +260,6 @@ class TamperedValues : public VerificationTest, public testing::WithParamInterfa
       object.visible_mask = Mask(object.visible_mask().whole()(part).clone());
       object.loose_box = moved(object.loose_box);
       object.silhouette_box = moved(object.silhouette_box());
-      object.visible_box = moved(object.visible_box());
       object.keypoints.front().pixel = Eigen::Vector2d(21.5, 30.25);
       scene.objects.push_back(std::move(object));
     }

@@ -44,9 +44,7 @@ class Bop : public PluginTest {
   [[nodiscard]] static std::vector<SceneObject> roverAndLift() {
     SceneObject rover = seen("rover", {100, 80, 50, 40});
     rover.visible_mask = painted(rover.visible_mask(), {100, 80, 20, 40}, false);
-    rover.visible_box = Box{119.5, 79.5, 149.5, 119.5};
     rover.pixels.visible = 30 * 40;
-    rover.visibility = 0.6;
     return {rover, seen("lift", {60, 80, 60, 40})};
   }
 

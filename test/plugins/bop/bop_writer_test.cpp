@@ -149,7 +149,6 @@ TEST_F(Bop, WritesObjectsThatSubtractionHasNotFound) {
   load({});
   SceneObject lost = seen("rover", {100, 80, 50, 40});
   lost.silhouette = lost.visible_mask = Mask(lost.silhouette().imageSize());
-  lost.visible_box = std::nullopt;
   runAll({scene(0, {lost})});
   const json info = jsonOf("train/000000/scene_gt_info.json").at("0").at(0);
   EXPECT_EQ(info.at("px_count_valid"), 0);
@@ -331,7 +330,7 @@ TEST_F(Bop, SetsNoTargetBelowATenthOfVisibility) {
   dataset_.splits = {{"test", 1}};
   load({});
   std::vector<SceneObject> objects = roverAndLift();
-  objects[0].visibility = 0.09;
+  objects[0].pixels.visible = 180;  // of 2000
   Scene test = scene(0, objects);
   test.split = "test";
   runAll({test});

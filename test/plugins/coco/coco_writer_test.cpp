@@ -214,7 +214,6 @@ TEST_F(Coco, PacksMasksThatDecodeToThemselves) {
   Scene scene = sceneOf(0, {{10, 20, 30, 40}, {635, 470, 20, 20}});
   const Mask holed = painted(scene.objects[0].visible_mask(), {15, 25, 10, 10}, false);
   scene.objects[0].visible_mask = painted(holed, {200, 300, 1, 1}, true);  // a second part
-  scene.objects[0].visible_box = Box{9.5, 19.5, 200.5, 300.5};
   const json annotations = annotationsOf({scene});
   for (std::size_t i = 0; i < 2; ++i) {
     const cv::Mat1b decoded = maskOf(annotations[i]["segmentation"]);
@@ -227,7 +226,6 @@ TEST_F(Coco, DrawsPolygonsAlongThePixelsEdges) {
   load({{"segmentation", "polygons"}});
   Scene scene = sceneOf(0, {{10, 20, 30, 40}});
   scene.objects[0].visible_mask = painted(scene.objects[0].visible_mask(), {200, 300, 1, 1}, true);
-  scene.objects[0].visible_box = Box{9.5, 19.5, 200.5, 300.5};
   EXPECT_EQ(annotationsOf({scene})[0]["segmentation"],
             json({{10, 20, 40, 20, 40, 60, 10, 60}, {200, 300, 201, 300, 201, 301, 200, 301}}));
 }

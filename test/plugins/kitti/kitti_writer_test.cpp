@@ -105,7 +105,7 @@ TEST_F(Kitti, CutsBoxesToTheImageAndTellsTruncation) {
   SceneObject object = upright({0.0, 0.0, 5.0}, 0.0);
   const SceneObject cut = seen("rover", {-20, 80, 50, 40});
   object.silhouette_box = cut.silhouette_box();
-  object.truncation = cut.truncation();
+  object.pixels = cut.pixels;
   const auto numbers = numbersOf(object);
   EXPECT_NEAR(numbers[0], 0.4, 1e-9);
   EXPECT_THAT(std::vector<double>(numbers.begin() + 3, numbers.begin() + 7),

@@ -105,7 +105,7 @@ TEST_F(NuScenes, HasOneAnnotationOfWhatSeveralCamerasSee) {
   int made = 0;
   const std::vector<Scene> scenes = ofTwoCamerasAndSplits([&](std::int64_t index) {
     SceneObject one = seen("a", {10, 20, 30, 40});
-    if (made++ % 2 == 0) one.visibility = 0.3;
+    if (made++ % 2 == 0) one.pixels.visible = 360;  // of 1200
     return scene(index, {one});
   });
   load({});
@@ -113,7 +113,7 @@ TEST_F(NuScenes, HasOneAnnotationOfWhatSeveralCamerasSee) {
   const json annotations = table("sample_annotation");
   ASSERT_EQ(annotations.size(), 2U);
   EXPECT_EQ(annotations[0]["visibility_token"], "4") << "the greatest of both";
-  EXPECT_EQ(annotations[0]["num_lidar_pts"], 2 * 30 * 40);
+  EXPECT_EQ(annotations[0]["num_lidar_pts"], 360 + 1200);
   EXPECT_EQ(annotations[0]["next"], "") << "the other one is in another split";
   EXPECT_EQ(table("image_annotations").size(), 4U);
   EXPECT_EQ(table("sample_data")[1]["filename"], "samples/CAM_RIGHT/right_00000000.jpg");

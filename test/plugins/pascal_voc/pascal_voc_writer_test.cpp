@@ -109,15 +109,11 @@ TEST_F(PascalVoc, TakesAllPixelsThatALooseBoxTouches) {
 TEST_F(PascalVoc, SaysWhatIsTruncatedOccludedAndDifficult) {
   load({});
   SceneObject object = robot({10, 10, 10, 10});
-  object.truncation = 0.06;
-  object.pixels = counts(200, 188, 180);  // 8 of 188 are hidden: 4 %
-  object.visibility = 0.9;
+  object.pixels = counts(200, 188, 180);  // 6 % are cut off, 8 of 188 are hidden: 4 %
   EXPECT_THAT(annotationOf({object}),
               HasSubstr("<truncated>1</truncated>\n\t\t<occluded>0</occluded>\n\t\t"
                         "<difficult>0</difficult>"));
-  object.truncation = 0.05;
-  object.pixels = counts(200, 190, 38);
-  object.visibility = 0.19;
+  object.pixels = counts(200, 192, 38);  // 4 % are cut off, 19 % visible
   EXPECT_THAT(annotationOf({object}),
               HasSubstr("<truncated>0</truncated>\n\t\t<occluded>1</occluded>\n\t\t"
                         "<difficult>1</difficult>"));
@@ -210,7 +206,7 @@ TEST_F(PascalVoc, ListsImagesBySplitAndClass) {
   dataset_.splits = {{"train", 2}, {"val", 1}, {"test", 1}};
   load({});
   SceneObject hidden = robot({0, 0, 10, 10});
-  hidden.visibility = 0.1;
+  hidden.pixels.visible = 10;  // of 100
   runAll({sceneOf(0, "train", {robot({0, 0, 10, 10})}), sceneOf(1, "val", {hidden}),
           sceneOf(2, "train", {lift({0, 0, 10, 10})}), sceneOf(3, "test", {})});
   const auto list = [&](const std::string& name) {

@@ -34,10 +34,10 @@ TEST(SurroundingDetail, IsNotThatOfLabels) {
   Scene scene = stripedScene();
   SceneObject object;
   object.pixels.visible = 1000;
-  object.visible_box = Box{0.0, 0.0, 320.0, 480.0};
+  object.visible_mask = Mask(cv::Mat1b(480, 320, 255), {}, scene.image.size());
   scene.objects.push_back(object);
   EXPECT_EQ(surroundingDetail(scene), 0.0);
-  scene.objects.back().visible_box = Box{0.0, 0.0, 640.0, 480.0};
+  scene.objects.back().visible_mask = Mask(cv::Mat1b(480, 640, 255));
   EXPECT_EQ(surroundingDetail(scene), std::nullopt);
 }
 
