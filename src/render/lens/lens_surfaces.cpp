@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
@@ -64,6 +65,46 @@ Eigen::Vector3f bentNormal(const SeenByPixels& seen, const Eigen::Vector3f& norm
   return ((bend.x() * u_axis - bend.y() * v_axis) / std::sqrt(longest) + bend.z() * normal)
       .normalized();
 }
+
+/// Which pixels have the surfaces that StandingSurfaces have.
+class KnownPixels {
+ public:
+  KnownPixels(const LensSight& sight, const StandingSurfaces& standing) : known_(standing) {
+    if (known_.sight == nullptr) return;
+    const LensSight& alone = *known_.sight;
+    for (std::size_t item = 0; item < alone.X_CV.size(); ++item) {
+      are_there_.push_back(alone.X_CV[item].matrix() == sight.X_CV.at(item).matrix());
+    }
+  }
+
+  /// Whether a pixel sees the same triangle as where nothing moves.
+  [[nodiscard]] bool has(const LensSight& sight, int u, int v) const {
+    if (known_.sight == nullptr) return false;
+    const LensSight& alone = *known_.sight;
+    const int triangle = sight.triangles.at<int>(v, u);
+    if (triangle != alone.triangles.at<int>(v, u)) return false;
+    const SeenTriangle& here = sight.seen[static_cast<std::size_t>(triangle)];
+    const SeenTriangle& there = alone.seen[static_cast<std::size_t>(triangle)];
+    return here.item == there.item && here.first == there.first && here.row == there.row &&
+           are_there_[static_cast<std::size_t>(here.item)];
+  }
+
+  /// Copies what is known of a pixel.
+  /// @param pixel  in the images
+  void copy(int u, int v, const cv::Point& pixel, const SurfaceImages& images) const {
+    const auto copyOne = [&](const cv::Mat& from, cv::Mat to) {
+      if (!to.empty()) to.at<cv::Vec4w>(pixel) = from.at<cv::Vec4w>(v, u);
+    };
+    copyOne(known_.images.base_roughness, images.base_roughness);
+    copyOne(known_.images.normal_metalness, images.normal_metalness);
+    copyOne(known_.images.faces, images.faces);
+    copyOne(known_.images.glows, images.glows);
+  }
+
+ private:
+  const StandingSurfaces& known_;
+  std::vector<bool> are_there_;  ///< of each item: whether it stands where it stood
+};
 
 /// How surfaces of a picture are looked up.
 struct SurfaceLookup {
@@ -146,7 +187,7 @@ Eigen::Vector3f rayStepOf(const LensMap& lens, int u, int v, int du, int dv) {
 
 /// Finds some rows of surfacesOf().
 void findRows(const LensSight& sight, bool is_classic, const cv::Rect& place, const cv::Mat& wanted,
-              const cv::Range& rows, const SurfaceImages& images) {
+              const KnownPixels& known, const cv::Range& rows, const SurfaceImages& images) {
   HalfRow base_roughness(images.base_roughness);
   HalfRow normal_metalness(images.normal_metalness);
   HalfRow faces(images.faces);
@@ -154,16 +195,22 @@ void findRows(const LensSight& sight, bool is_classic, const cv::Rect& place, co
   const LensMap& lens = *sight.lens;
   const SurfaceLookup lookup{is_classic, lens.is_pinhole};
   std::optional<SeenByPixels> seen;
+  std::vector<int> known_columns;
   for (int row = rows.start; row < rows.end; ++row) {
     const int v = place.y + row;
     const auto* is_wanted = wanted.ptr<std::uint8_t>(v, place.x);
     const int* triangles = sight.triangles.ptr<int>(v, place.x);
     int first = place.width;
     int end = 0;
+    known_columns.clear();
     for (int column = 0; column < place.width; ++column) {
       if (is_wanted[column] == 0 || triangles[column] < 0) continue;
-      if (!seen || seen->index != triangles[column]) seen.emplace(sight, triangles[column]);
       const int u = place.x + column;
+      if (known.has(sight, u, v)) {
+        known_columns.push_back(column);
+        continue;
+      }
+      if (!seen || seen->index != triangles[column]) seen.emplace(sight, triangles[column]);
       const Eigen::Vector3f ray(lens.rays.at<cv::Vec3f>(v, u).val);
       const LensSurface surface = lensSurfaceAt(*seen, lookup, ray, rayStepOf(lens, u, v, 1, 0),
                                                 rayStepOf(lens, u, v, 0, 1));
@@ -177,19 +224,22 @@ void findRows(const LensSight& sight, bool is_classic, const cv::Rect& place, co
     for (HalfRow* each : {&base_roughness, &normal_metalness, &faces, &glows}) {
       each->store(row, first, end);
     }
+    for (const int column : known_columns) known.copy(place.x + column, v, {column, row}, images);
   }
 }
 
 }  // namespace
 
 SurfaceImages surfacesOf(const LensSight& sight, const GeometryPlanes& planes, bool is_classic,
-                         const cv::Rect& place, const cv::Mat& wanted) {
+                         const cv::Rect& place, const cv::Mat& wanted,
+                         const StandingSurfaces& standing) {
   const auto image = [&](bool is_wanted) {
     return is_wanted ? cv::Mat(place.size(), CV_16UC4) : cv::Mat();
   };
   SurfaceImages images{image(true), image(true), image(planes.faces), image(planes.glows)};
+  const KnownPixels known(sight, standing);
   cv::parallel_for_(cv::Range(0, place.height), [&](const cv::Range& rows) {
-    findRows(sight, is_classic, place, wanted, rows, images);
+    findRows(sight, is_classic, place, wanted, known, rows, images);
   });
   return images;
 }

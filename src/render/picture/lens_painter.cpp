@@ -8,11 +8,11 @@
 
 #include "render/edges/edge_pixels.h"
 #include "render/lens/lens_edges.h"
-#include "render/lens/lens_surfaces.h"
 #include "render/parts/item_groups.h"
 #include "render/picture/changed_pixels.h"
 #include "render/pixels/pixel_bands.h"
 #include "render/pixels/srgb.h"
+#include "render/recent_views.h"
 #include "render/shadows/held_casters.h"
 #include "synthetic_dataset/mask.h"
 
@@ -33,6 +33,7 @@ struct UnlitLens {
   cv::Rect place;                ///< around them
   std::vector<UnlitPixels> lit;  ///< in one or in bands, whose surfaces are still to be found
   EdgeScene scene;
+  StandingSurfaces standing = {};
   GeometryPlanes planes = {};
   bool is_classic = false;
   bool smooth = false;
@@ -63,13 +64,16 @@ cv::Mat lightOf(const UnlitLens& picture, const SurfaceImages& surfaces) {
   return light;
 }
 
+SurfaceImages surfacesOf(const UnlitLens& picture) {
+  return surfacesOf(*picture.sight, picture.planes, picture.is_classic, picture.place,
+                    picture.known, picture.standing);
+}
+
 /// @param edges  gets the pixels of smoothed edges, if not null
-cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& draw_list, cv::Mat* edges) {
+cv::Mat finishedThroughLens(const UnlitLens& picture, const SurfaceImages& surfaces,
+                            const DrawList& draw_list, cv::Mat* edges) {
   cv::Mat result = picture.elsewhere.clone();
-  if (picture.regions.empty()) return result;
   const LensSight& sight = *picture.sight;
-  const SurfaceImages surfaces =
-      surfacesOf(sight, picture.planes, picture.is_classic, picture.place, picture.known);
   const cv::Mat light = lightOf(picture, surfaces);
   for (const cv::Rect& region : picture.regions) {
     cv::Mat pixels = result(region);
@@ -85,6 +89,13 @@ cv::Mat finishedThroughLens(const UnlitLens& picture, const DrawList& draw_list,
   }
   result.setTo(cv::Scalar::all(0), sight.lens->face < 0);
   return result;
+}
+
+PendingPicture pending(UnlitLens picture, const DrawList& draw_list) {
+  return [picture = std::move(picture), &draw_list]() -> cv::Mat {
+    if (picture.regions.empty()) return picture.elsewhere.clone();
+    return finishedThroughLens(picture, surfacesOf(picture), draw_list, nullptr);
+  };
 }
 
 }  // namespace
@@ -170,7 +181,7 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
       std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.key == key; });
   if (known == kept_.end()) {
     if (kept_.size() == kMost) kept_.pop_back();
-    kept_.insert(kept_.begin(), {std::move(key), {}, {}});
+    kept_.insert(kept_.begin(), {std::move(key), {}, {}, {}});
     return nullptr;
   }
   std::rotate(kept_.begin(), known, known + 1);
@@ -184,7 +195,14 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
   const cv::Size size = seen->items.size();
   UnlitLens picture = gather(crew_, alone, seen, smooth, allPixels(size));
   addLit(lightsOf(crew_, alone), {cv::Point(), size}, alone, picture);
-  here.pixels = finishedThroughLens(picture, crew_.draw_list, &here.edges);
+  const SurfaceImages surfaces = surfacesOf(picture);
+  here.pixels = finishedThroughLens(picture, surfaces, crew_.draw_list, &here.edges);
+  constexpr std::size_t kPixelBytes = 44;  // of surfaces, and of what sees them
+  const auto known_surfaces = std::count_if(
+      kept_.begin(), kept_.end(), [](const Kept& each) { return each.surfaces.sight != nullptr; });
+  if (static_cast<std::size_t>(known_surfaces) < RecentViews::mostOf(kPixelBytes * size.area())) {
+    here.surfaces = {seen, surfaces};
+  }
   return &here;
 }
 
@@ -262,15 +280,14 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
   UnlitLens picture = gather(crew_, scene, sight, smooth, pixels);
   addLit(lightsOf(crew_, scene), {cv::Point(), size}, scene, picture);
   if (before != nullptr) {
+    picture.standing = before->surfaces;
     if (regions.empty()) {
       picture.elsewhere = before->pixels;
     } else {
       before->pixels.copyTo(picture.elsewhere, wanted);
     }
   }
-  return [this, picture = std::move(picture)] {
-    return finishedThroughLens(picture, crew_.draw_list, nullptr);
-  };
+  return pending(std::move(picture), crew_.draw_list);
 }
 
 /// Rows that have one time of their lights and shadows.
@@ -350,10 +367,11 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
   for (std::size_t i = 0; i < bands.size(); ++i) {
     addLit(std::move(lights[i]), bands[i].rows, scene, picture);
   }
-  if (before != nullptr) picture.elsewhere = before->pixels;
-  return [this, picture = std::move(picture)] {
-    return finishedThroughLens(picture, crew_.draw_list, nullptr);
-  };
+  if (before != nullptr) {
+    picture.elsewhere = before->pixels;
+    picture.standing = before->surfaces;
+  }
+  return pending(std::move(picture), crew_.draw_list);
 }
 
 }  // namespace synthetic_dataset::render

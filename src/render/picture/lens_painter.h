@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "render/lens/lens_eye.h"
+#include "render/lens/lens_surfaces.h"
 #include "render/pending_picture.h"
 #include "render/picture/picture_painter.h"
 #include "render/view.h"
@@ -55,6 +56,7 @@ class LensPainter {
     Key key;
     cv::Mat pixels;  ///< empty until the key comes a second time; never written to
     cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
+    StandingSurfaces surfaces;  ///< of some, as long as there is room
   };
 
   [[nodiscard]] const Kept* kept(const ColourScene& scene, const LensSight& sight,
