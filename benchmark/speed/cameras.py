@@ -1,17 +1,18 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
 background subtraction, several cameras, full light, many lamps, skies and panoramas, weather. Each is measured for a camera
-that is fixed, one on a swinging mast, and one on a rover.
+that stands, one on a swinging mast, and one on a rover.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT] [--world FILE [--models FOLDER]]
 
-PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. A camera that rides is on
-the example's mast, which then swings by 0.3 m; one that drives is on a rover and looks to its right, where the others are. With --world, the example's
+PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. The example's camera is on a mast,
+which pans there. Here it stands, or the camera rides on it, as it swings by 0.3 m; one that drives is on a rover and looks to its right, where the others are. With --world, the example's
 objects and cameras are in this one, too. Measured are user processor time of an instant and the clock, camera after
 camera, several times over, so that what else runs on the machine matters little: for the clock, nothing else
 should run. RESULTS gets cameras.json and cameras.md.
 """
 
 import argparse
+import copy
 import json
 import math
 import os
@@ -84,14 +85,17 @@ def write_calibration(lens, path):
                                                "data": coefficients}}, out)
 
 
-def write_swinging(source, path):
-    """The recording with a mast that swings."""
+def write_with_mast(source, path, swing):
+    """The recording with a mast that stays where it is at first, or swings there by so many metres."""
+    first = None
     with rosbag.Bag(source) as bag, rosbag.Bag(path, "w") as out:
         for topic, message, stamp in bag.read_messages():
             for each in message.transforms if topic == "/tf" else []:
                 if each.child_frame_id == "camera/mast":
+                    first = first or each.transform
+                    each.transform = copy.deepcopy(first)
                     phase = 2.0 * math.pi * SWINGS * each.header.stamp.to_sec()
-                    each.transform.translation.y += SWING * math.sin(phase)
+                    each.transform.translation.y += swing * math.sin(phase)
             out.write(topic, message, stamp)
 
 
@@ -219,9 +223,10 @@ def main():
             and (how == RIDES or "sample" not in cameras[name][2])]
     seconds = {row: [] for row in rows}
     with tempfile.TemporaryDirectory() as folder:
-        bags = {how: f"{PACKAGE}/worlds/example.bag" for how in (STANDS, DRIVES)}
-        bags[RIDES] = f"{folder}/swinging.bag"
-        write_swinging(bags[STANDS], bags[RIDES])
+        recording = f"{PACKAGE}/worlds/example.bag"
+        bags = {STANDS: f"{folder}/standing.bag", RIDES: f"{folder}/swinging.bag", DRIVES: recording}
+        write_with_mast(recording, bags[STANDS], 0.0)
+        write_with_mast(recording, bags[RIDES], SWING)
         for _ in range(arguments.rounds):
             for (name, how), measured in seconds.items():
                 measured.append(instant_seconds(arguments.program, cameras[name], how, bags[how], folder))
