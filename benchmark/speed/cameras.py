@@ -1,12 +1,12 @@
 """What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
 background subtraction, several cameras, full light, many lamps, skies and panoramas, weather. Each is measured for a camera
-that stands, one on a swinging mast, and one on a rover.
+that stands, for one on a swinging mast, and one on a rover.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT] [--world FILE [--models FOLDER]]
 
 PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. The example's camera is on a mast,
-which pans there. Here it stands, or the camera rides on it, as it swings by 0.3 m; one that drives is on a rover and looks to its right, where the others are. With --world, the example's
-objects and cameras are in this one, too. Measured are user processor time of an instant and the clock, camera after
+which pans there. Here it stands, or the camera rides on it as it swings by 0.3 m. One that drives is on a rover and looks
+to its right, where the others are. With --world, the example's objects and cameras are in this one, too. Measured are user processor time of an instant and the clock, camera after
 camera, several times over, so that what else runs on the machine matters little: for the clock, nothing else
 should run. RESULTS gets cameras.json and cameras.md.
 """
