@@ -5,18 +5,23 @@
 namespace synthetic_dataset::scene {
 
 void Exposure::add(render::PendingPicture picture, double weight) {
-  if (adding_.valid()) adding_.get();
+  if (before_last_.valid()) before_last_.get();
   // Deferred where no more threads are to be had: what is called has to be there for a second try.
-  const auto finish = [light = light_, picture = std::move(picture), weight] {
-    light->add(picture(), weight);
+  // What it holds is freed as it is used, as the next one holds it.
+  const auto finish = [light = light_, picture = std::move(picture), weight,
+                       before = last_]() mutable {
+    const cv::Mat pixels = std::exchange(picture, {})();
+    if (before.valid()) std::exchange(before, {}).get();
+    light->add(pixels, weight);
   };
-  adding_ = std::async(std::launch::async | std::launch::deferred, finish);
+  before_last_ = std::exchange(last_, std::async(std::launch::async | std::launch::deferred, finish));
 }
 
 render::PendingPicture Exposure::develop() {
+  before_last_ = {};
   return [light = std::exchange(light_, std::make_shared<render::LinearAccumulator>()),
-          adding = std::exchange(adding_, {})] {
-    adding.get();
+          last = std::exchange(last_, {})] {
+    last.get();
     return light->result();
   };
 }

@@ -8,11 +8,12 @@
 
 namespace synthetic_dataset::scene {
 
-/// What falls on a sensor while its shutter is open. One picture is finished while the next is
-/// drawn.
+/// What falls on a sensor while its shutter is open. Two pictures are finished while the next is
+/// drawn, as parts of finishing one keep a single core busy.
 class Exposure {
  public:
-  /// Finishes a picture and adds it, in a thread of its own; waits for the one before.
+  /// Finishes a picture in a thread of its own, and adds it after the one before. Waits for the one
+  /// before that.
   /// @param weight  all of an exposure should add up to 1
   void add(render::PendingPicture picture, double weight);
 
@@ -21,7 +22,8 @@ class Exposure {
 
  private:
   std::shared_ptr<render::LinearAccumulator> light_ = std::make_shared<render::LinearAccumulator>();
-  std::shared_future<void> adding_;  ///< the last picture
+  std::shared_future<void> before_last_;  ///< picture; nothing once it is known to be added
+  std::shared_future<void> last_;
 };
 
 }  // namespace synthetic_dataset::scene
