@@ -13,11 +13,16 @@ namespace synthetic_dataset::render {
 namespace {
 
 /// As std::floor(), for which processors have no instruction that all of them have.
-float floorOf(float number) {
-  constexpr float kWhole = 0x1p23F;  // from here on, numbers of single precision are whole
-  if (!(std::abs(number) < kWhole)) return number;
-  const auto nearer_to_0 = static_cast<float>(static_cast<int>(number));
-  return nearer_to_0 > number ? nearer_to_0 - 1.0F : nearer_to_0;
+/// @param numbers  from -2^31 up to 2^31
+Lanes floorOf(const Lanes& numbers) {
+  const Lanes nearer_to_0 = cv::v_cvt_f32(cv::v_trunc(numbers));
+  return nearer_to_0 - (lanes(1.0F) & (nearer_to_0 > numbers));
+}
+
+/// Beyond whole numbers; 0 for numbers so large that they are whole.
+Lanes fractionOf(const Lanes& numbers) {
+  const Lanes small = numbers & (cv::v_abs(numbers) < lanes(0x1p23F));
+  return small - floorOf(small);
 }
 
 /// Blue, green, red and alpha of a texel.
@@ -26,23 +31,47 @@ Lanes texelAt(const std::uint16_t* row, int column) {
       cv::v_reinterpret_as_s32(cv::v_load_expand(row + std::ptrdiff_t{4} * column)));
 }
 
-/// Between the four texels around a place. Coordinates go on at the opposite edge.
-Lanes mixedAt(const Eigen::Vector2f& place, const cv::Mat& level) {
-  const float x = (place.x() - floorOf(place.x())) * static_cast<float>(level.cols) - 0.5F;
-  const float y = (place.y() - floorOf(place.y())) * static_cast<float>(level.rows) - 0.5F;
-  if (!(std::abs(x) < 1e6F && std::abs(y) < 1e6F)) return texelAt(level.ptr<std::uint16_t>(0), 0);
-  const float left = floorOf(x);  // from -1 on
-  const float top = floorOf(y);
-  const int u = left < 0.0F ? level.cols - 1 : static_cast<int>(left);
-  const int v = top < 0.0F ? level.rows - 1 : static_cast<int>(top);
-  const int next_u = u + 1 == level.cols ? 0 : u + 1;
-  const int next_v = v + 1 == level.rows ? 0 : v + 1;
-  const auto* above = level.ptr<std::uint16_t>(v);
-  const auto* below = level.ptr<std::uint16_t>(next_v);
-  const Lanes share = lanes(x - left);
-  return mix(mix(texelAt(above, u), texelAt(above, next_u), share),
-             mix(texelAt(below, u), texelAt(below, next_u), share), lanes(y - top));
-}
+/// The texels before and after each of four places along a side of a picture, which goes on at the
+/// opposite edge.
+struct TexelsBeside {
+  /// @param fractions  of the places, from 0 to 1, in the side's length
+  TexelsBeside(const Lanes& fractions, int length) {
+    const Lanes places = fractions * lanes(static_cast<float>(length)) - lanes(0.5F);
+    const Lanes first = floorOf(places);  // from -1 on
+    const cv::v_int32x4 end = cv::v_setall_s32(length);
+    const cv::v_int32x4 zero = cv::v_setzero_s32();
+    const cv::v_int32x4 from = cv::v_trunc(first);
+    const cv::v_int32x4 next = from + cv::v_setall_s32(1);
+    cv::v_store(before.data(), from + (end & (from < zero)));
+    cv::v_store(after.data(), next & (next < end));
+    cv::v_store(share.data(), places - first);
+  }
+
+  std::array<int, kLaneCount> before{}, after{};
+  std::array<float, kLaneCount> share{};  ///< of the one after
+};
+
+/// Four places on a picture of a pyramid.
+class PlacesOnLevel {
+ public:
+  PlacesOnLevel(const Lanes& x, const Lanes& y, const cv::Mat& level)
+      : level_(level), columns_(x, level.cols), rows_(y, level.rows) {}
+
+  /// Between the four texels around a place.
+  [[nodiscard]] Lanes mixedAt(std::size_t place) const {
+    const auto* above = level_.ptr<std::uint16_t>(rows_.before[place]);
+    const auto* below = level_.ptr<std::uint16_t>(rows_.after[place]);
+    const int u = columns_.before[place];
+    const int next_u = columns_.after[place];
+    const Lanes share = lanes(columns_.share[place]);
+    return mix(mix(texelAt(above, u), texelAt(above, next_u), share),
+               mix(texelAt(below, u), texelAt(below, next_u), share), lanes(rows_.share[place]));
+  }
+
+ private:
+  const cv::Mat& level_;
+  TexelsBeside columns_, rows_;
+};
 
 Eigen::Vector4f colourOf(const Lanes& sum, float count) {
   constexpr float kFull = 65535.0F;
@@ -67,43 +96,63 @@ Eigen::Vector2f PicturePyramid::inTexels(const Eigen::Vector2f& step) const {
 
 Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                      const Eigen::Vector2f& along) const {
-  constexpr float kMostTaps = 4.0F;
+  constexpr std::size_t kMostTaps = 4;  // to a side
+  constexpr auto kMost = static_cast<float>(kMostTaps);
   const float width = inTexels(across).norm();
   const float height = inTexels(along).norm();
   // Each tap covers a square, half as wide as the pixel where it is narrow.
   const float side =
-      std::max({0.5F * std::min(width, height), std::max(width, height) / kMostTaps, 0.5F});
+      std::max({0.5F * std::min(width, height), std::max(width, height) / kMost, 0.5F});
   const auto taps = [&](float length) {
-    return static_cast<int>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMostTaps));
+    return static_cast<int>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMost));
   };
   const int columns = taps(width);
   const int rows = taps(height);
-  const float level = std::log2(side);
-  if (columns == 1 && rows == 1) return colourOf(at(place, level), 1.0F);
-  Lanes sum = lanes(0.0F);
-  for (int row = 0; row < rows; ++row) {
-    const float b = (static_cast<float>(row) + 0.5F) / static_cast<float>(rows) - 0.5F;
-    for (int column = 0; column < columns; ++column) {
-      const float a = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns) - 0.5F;
-      sum = sum + at(Eigen::Vector2f(place + a * across + b * along), level);
+  const int count = columns * rows;
+  std::array<float, kMostTaps * kMostTaps> a{}, b{};  // of each tap: its place in the pixel
+  for (int row = 0, tap = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column, ++tap) {
+      a.at(static_cast<std::size_t>(tap)) = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns) - 0.5F;
+      b.at(static_cast<std::size_t>(tap)) = (static_cast<float>(row) + 0.5F) / static_cast<float>(rows) - 0.5F;
     }
   }
-  return colourOf(sum, static_cast<float>(columns * rows));
+  const float level = std::log2(side);
+  Lanes sum = lanes(0.0F);
+  for (int tap = 0; tap < count; tap += kLaneCount) {
+    const Lanes right = cv::v_load(&a[static_cast<std::size_t>(tap)]);
+    const Lanes down = cv::v_load(&b[static_cast<std::size_t>(tap)]);
+    sum = sumAt({lanes(place.x()) + right * lanes(across.x()) + down * lanes(along.x()),
+                 lanes(place.y()) + right * lanes(across.y()) + down * lanes(along.y())},
+                std::min(count - tap, kLaneCount), level, sum);
+  }
+  return colourOf(sum, static_cast<float>(count));
 }
 
 Eigen::Vector4f PicturePyramid::sample(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                        const Eigen::Vector2f& along) const {
   const float longest = std::max(inTexels(across).norm(), inTexels(along).norm());
-  return colourOf(at(place, std::log2(std::max(longest, 1.0F))), 1.0F);
+  const FourPlaces here{lanes(place.x()), lanes(place.y())};
+  return colourOf(sumAt(here, 1, std::log2(std::max(longest, 1.0F)), lanes(0.0F)), 1.0F);
 }
 
-Lanes PicturePyramid::at(const Eigen::Vector2f& place, float level) const {
+/// Adds the colours of the first places to a sum, one after the other.
+Lanes PicturePyramid::sumAt(FourPlaces places, int count, float level, Lanes sum) const {
   const float within = std::clamp(level, 0.0F, static_cast<float>(levels_.size() - 1));
   const auto lower = static_cast<std::size_t>(within);
   const float share = within - static_cast<float>(lower);
-  const Lanes sharp = mixedAt(place, levels_[lower]);
-  if (share == 0.0F) return sharp;
-  return mix(sharp, mixedAt(place, levels_[lower + 1]), lanes(share));
+  const Lanes x = fractionOf(places.x);
+  const Lanes y = fractionOf(places.y);
+  const PlacesOnLevel sharp(x, y, levels_[lower]);
+  if (share == 0.0F) {
+    for (int i = 0; i < count; ++i) sum = sum + sharp.mixedAt(static_cast<std::size_t>(i));
+    return sum;
+  }
+  const PlacesOnLevel blurred(x, y, levels_[lower + 1]);
+  for (int i = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    sum = sum + mix(sharp.mixedAt(place), blurred.mixedAt(place), lanes(share));
+  }
+  return sum;
 }
 
 std::shared_ptr<const PicturePyramid> PyramidLibrary::get(

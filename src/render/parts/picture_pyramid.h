@@ -32,8 +32,13 @@ class PicturePyramid {
                                        const Eigen::Vector2f& along) const;
 
  private:
+  /// Four places on a picture, in its widths and heights.
+  struct FourPlaces {
+    Lanes x, y;
+  };
+
   [[nodiscard]] Eigen::Vector2f inTexels(const Eigen::Vector2f& step) const;
-  [[nodiscard]] Lanes at(const Eigen::Vector2f& place, float level) const;
+  [[nodiscard]] Lanes sumAt(FourPlaces places, int count, float level, Lanes sum) const;
 
   std::vector<cv::Mat> levels_;  ///< CV_16UC4 as toLight() has them, the largest first
 };
