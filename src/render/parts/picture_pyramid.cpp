@@ -80,6 +80,31 @@ Eigen::Vector4f colourOf(const Lanes& sum, float count) {
   return {bgra[2], bgra[1], bgra[0], bgra[3]};
 }
 
+constexpr std::size_t kMostTaps = 4;  // to a side of a pixel
+
+/// Where a pixel's texture is looked up: from its middle, in the pixel's steps, row by row.
+struct Taps {
+  std::array<float, kMostTaps * kMostTaps> right{}, down{};
+};
+
+/// By how many there are to a row, less one, and to a column.
+constexpr std::array<std::array<Taps, kMostTaps>, kMostTaps> makeTaps() {
+  std::array<std::array<Taps, kMostTaps>, kMostTaps> all{};
+  const auto middle = [](std::size_t i, std::size_t count) {
+    return (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 0.5F;
+  };
+  for (std::size_t columns = 1; columns <= kMostTaps; ++columns) {
+    for (std::size_t rows = 1; rows <= kMostTaps; ++rows) {
+      Taps& taps = all[columns - 1][rows - 1];
+      for (std::size_t i = 0; i < columns * rows; ++i) {
+        taps.right[i] = middle(i % columns, columns);
+        taps.down[i] = middle(i / columns, rows);
+      }
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 PicturePyramid::PicturePyramid(const world::Texture& texture, PixelMeaning meaning)
@@ -96,7 +121,6 @@ Eigen::Vector2f PicturePyramid::inTexels(const Eigen::Vector2f& step) const {
 
 Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                      const Eigen::Vector2f& along) const {
-  constexpr std::size_t kMostTaps = 4;  // to a side
   constexpr auto kMost = static_cast<float>(kMostTaps);
   const float width = inTexels(across).norm();
   const float height = inTexels(along).norm();
@@ -104,23 +128,18 @@ Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::
   const float side =
       std::max({0.5F * std::min(width, height), std::max(width, height) / kMost, 0.5F});
   const auto taps = [&](float length) {
-    return static_cast<int>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMost));
+    return static_cast<std::size_t>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMost));
   };
-  const int columns = taps(width);
-  const int rows = taps(height);
-  const int count = columns * rows;
-  std::array<float, kMostTaps * kMostTaps> a{}, b{};  // of each tap: its place in the pixel
-  for (int row = 0, tap = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column, ++tap) {
-      a.at(static_cast<std::size_t>(tap)) = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns) - 0.5F;
-      b.at(static_cast<std::size_t>(tap)) = (static_cast<float>(row) + 0.5F) / static_cast<float>(rows) - 0.5F;
-    }
-  }
+  static constexpr auto kTaps = makeTaps();
+  const std::size_t columns = taps(width);
+  const std::size_t rows = taps(height);
+  const Taps& all = kTaps[columns - 1][rows - 1];
+  const int count = static_cast<int>(columns * rows);
   const float level = std::log2(side);
   Lanes sum = lanes(0.0F);
   for (int tap = 0; tap < count; tap += kLaneCount) {
-    const Lanes right = cv::v_load(&a[static_cast<std::size_t>(tap)]);
-    const Lanes down = cv::v_load(&b[static_cast<std::size_t>(tap)]);
+    const Lanes right = cv::v_load(&all.right[static_cast<std::size_t>(tap)]);
+    const Lanes down = cv::v_load(&all.down[static_cast<std::size_t>(tap)]);
     sum = sumAt({lanes(place.x()) + right * lanes(across.x()) + down * lanes(along.x()),
                  lanes(place.y()) + right * lanes(across.y()) + down * lanes(along.y())},
                 std::min(count - tap, kLaneCount), level, sum);
