@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <opencv2/core/types.hpp>
+
 namespace synthetic_dataset {
 inline namespace v2 {
 
@@ -17,6 +19,11 @@ struct Box {
   [[nodiscard]] double width() const { return right - left; }
   [[nodiscard]] double height() const { return bottom - top; }
 };
+
+/// The edges of some pixels.
+[[nodiscard]] inline Box boxAround(const cv::Rect& pixels) {
+  return {pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
+}
 
 /// The part that both boxes cover; nothing where they share no area.
 [[nodiscard]] inline std::optional<Box> intersection(const Box& a, const Box& b) {

@@ -78,10 +78,7 @@ cv::Mat filled(const std::vector<cv::Point2d>& polygon, const cv::Size& size) {
 /// The box around all that a label shows; nothing where it shows nothing.
 std::optional<Box> extentOf(const DrawnLabel& label) {
   if (label.box) return *label.box;
-  if (!label.mask.empty()) {
-    const cv::Rect pixels = maskBounds(label.mask);
-    return Box{pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
-  }
+  if (!label.mask.empty()) return boxAround(maskBounds(label.mask));
   std::vector<cv::Point2d> points = label.keypoints;
   for (const auto& polygon : label.polygons) {
     points.insert(points.end(), polygon.begin(), polygon.end());

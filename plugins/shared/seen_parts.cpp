@@ -6,10 +6,7 @@
 
 namespace synthetic_dataset {
 
-Box SeenPart::box() const {
-  const cv::Rect bounds = mask.bounds();
-  return {bounds.x - 0.5, bounds.y - 0.5, bounds.br().x - 0.5, bounds.br().y - 0.5};
-}
+Box SeenPart::box() const { return boxAround(mask.bounds()); }
 
 std::vector<SeenPart> seenParts(const Scene& scene, const SceneObject& object,
                                 const ObjectInfo& info) {

@@ -12,10 +12,6 @@ namespace {
 
 const cv::Size kImageSize(640, 480);
 
-Box edgesOf(const cv::Rect& pixels) {
-  return {pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
-}
-
 Mask maskOf(const cv::Rect& pixels) {
   cv::Mat image(kImageSize, CV_8UC1, cv::Scalar(0));
   image(pixels).setTo(255);
@@ -47,7 +43,7 @@ SceneObject handMadeObject(const std::string& name, const cv::Rect& pixels) {
   const cv::Rect visible = pixels & cv::Rect({}, kImageSize);
   object.silhouette = maskOf(visible);
   object.visible_mask = maskOf(visible);
-  object.loose_box = edgesOf(pixels);
+  object.loose_box = boxAround(pixels);
   object.silhouette_box = object.loose_box;
   object.pixels.silhouette = pixels.area();
   object.pixels.silhouette_in_image = object.pixels.visible = visible.area();

@@ -9,7 +9,7 @@ inline namespace v2 {
 std::optional<Box> SceneObject::visibleBox() const {
   const cv::Rect bounds = visible_mask().bounds();
   if (bounds.empty()) return std::nullopt;
-  return Box{bounds.x - 0.5, bounds.y - 0.5, bounds.br().x - 0.5, bounds.br().y - 0.5};
+  return boxAround(bounds);
 }
 
 double SceneObject::visibility() const {

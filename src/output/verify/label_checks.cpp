@@ -55,10 +55,7 @@ MeasuredLabel measured(const DrawnLabel& label) {
   if (!label.mask.empty()) {
     found.mask_pixels = cv::countNonZero(label.mask);
     const cv::Rect bounds = maskBounds(label.mask);
-    if (!bounds.empty()) {
-      found.mask_bounds =
-          Box{bounds.x - 0.5, bounds.y - 0.5, bounds.br().x - 0.5, bounds.br().y - 0.5};
-    }
+    if (!bounds.empty()) found.mask_bounds = boxAround(bounds);
   }
   measurePolygons(found);
   return found;
