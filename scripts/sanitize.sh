@@ -56,10 +56,19 @@ configure() {  # KIND FLAGS
     { tail -20 "$folder/logs/configure.log"; exit 1; }
 }
 
-# One line for a program, and the log's end where something is wrong.
+# One line for a program, which runs in as many parts as there are cores, and the log's end where something is wrong.
 run() {  # FOLDER PROGRAM
-  local log=$1/logs/$2.log start=$SECONDS status=0 passed failed
-  (cd "$repository/test" && "$1/build/devel/lib/synthetic_dataset_tests/$2") >"$log" 2>&1 || status=$?
+  local log=$1/logs/$2.log start=$SECONDS status=0 passed failed scratch parts=() part
+  scratch=$(mktemp -d)
+  for ((part = 0; part < $(nproc); ++part)); do
+    mkdir "$scratch/$part"
+    (cd "$repository/test" && TMPDIR=$scratch/$part GTEST_TOTAL_SHARDS=$(nproc) GTEST_SHARD_INDEX=$part LP_NUM_THREADS=1 \
+      "$1/build/devel/lib/synthetic_dataset_tests/$2") >"$scratch/$part.log" 2>&1 &
+    parts+=($!)
+  done
+  for part in "${parts[@]}"; do wait "$part" || status=$?; done
+  cat "$scratch"/*.log >"$log"
+  rm -rf "$scratch"
   passed=$(grep -c '^\[       OK \]' "$log" || true)
   failed=$(grep -c '^\[  FAILED  \] .* ms)$' "$log" || true)
   [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1  # it died, or something is reported at its end
