@@ -1,5 +1,7 @@
 #include "scene/exposure.h"
 
+#include <future>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
@@ -20,6 +22,24 @@ TEST(Exposure, IsTheMeanOfItsPictures) {
   exposure.add(grey(10), 1.0);
   EXPECT_EQ(cv::norm(first(), grey(188)(), cv::NORM_INF), 0.0);
   EXPECT_EQ(cv::norm(exposure.develop()(), grey(10)(), cv::NORM_INF), 0.0);
+}
+
+TEST(Exposure, FinishesAPictureWhileTheOneBeforeIsInWork) {
+  Exposure exposure;
+  std::promise<void> begins;
+  exposure.add(
+      [&] {
+        begins.get_future().wait();
+        return grey(255)();
+      },
+      0.25);
+  exposure.add(
+      [&] {
+        begins.set_value();
+        return grey(0)();
+      },
+      0.75);
+  EXPECT_EQ(cv::norm(exposure.develop()(), grey(137)(), cv::NORM_INF), 0.0);
 }
 
 TEST(Exposure, FailsWithAPictureThatFails) {
