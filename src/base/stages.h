@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
 
@@ -7,6 +8,12 @@ namespace synthetic_dataset::base {
 
 /// Called when a step begins that may take long, with what it does: "reading the world 'a.world'".
 using OnStage = std::function<void(const std::string& stage)>;
+
+/// What a call of OnStage may throw to break off what takes long. It is no Error: nothing is wrong.
+class Interrupted : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override { return "broken off"; }
+};
 
 /// For callers that do not report stages.
 inline void ignoreStage(const std::string& /*stage*/) {}

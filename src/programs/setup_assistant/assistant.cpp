@@ -58,6 +58,7 @@ Assistant::Assistant(const std::string& file, const std::vector<std::string>& fo
 
 void Assistant::close() {
   ticker_.reset();
+  live_->close();
   events_.close();
 }
 

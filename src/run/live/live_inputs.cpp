@@ -116,7 +116,7 @@ RunSetup LiveInputs::takeUnusedRun() {
 }
 
 RunSetup LiveInputs::runOf(const Value& settings) {
-  RunSetup run = setUpRun(settings, cache_, plugin_xml_files_);
+  RunSetup run = setUpRun(settings, cache_, plugin_xml_files_, on_stage_);
   giveHistories(run);
   return run;
 }
@@ -160,7 +160,7 @@ const MotionSetup& LiveInputs::motionWith(const std::string& object) {
   if (!motion_) {
     cache_.worlds.beginUse();
     const config::MotionList list = config::readMotions(settings_);
-    motion_ = setUpMotion(list.entries.front(), config(), cache_, base::ignoreStage);
+    motion_ = setUpMotion(list.entries.front(), config(), cache_, on_stage_);
   }
   if (has(*motion_, object)) return *motion_;
   throw ErrorList(*errors_);

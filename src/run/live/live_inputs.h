@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stages.h"
 #include "config/config.h"
 #include "run/live/live_setup.h"
 #include "run/setup/file_stamps.h"
@@ -20,8 +21,10 @@ namespace synthetic_dataset::run {
 /// The settings of a LiveRun and what was made of them so far; anew when they or files change.
 class LiveInputs {
  public:
-  explicit LiveInputs(std::vector<std::string> plugin_xml_files)
-      : plugin_xml_files_(std::move(plugin_xml_files)) {}
+  LiveInputs(std::vector<std::string> plugin_xml_files, base::OnStage on_stage)
+      : plugin_xml_files_(std::move(plugin_xml_files)),
+        on_stage_(std::move(on_stage)),
+        cache_(on_stage_) {}
 
   void setSettings(const Value& settings);
   [[nodiscard]] const Value& settings() const { return settings_; }
@@ -69,6 +72,7 @@ class LiveInputs {
   [[nodiscard]] const MotionSetup* madeMotionWith(const std::string& object) const;
 
   std::vector<std::string> plugin_xml_files_;
+  base::OnStage on_stage_;
   Value settings_;
   InputCache cache_;
 

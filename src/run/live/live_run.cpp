@@ -70,7 +70,8 @@ std::size_t indexOf(const MotionSetup& motion, const std::string& object) {
 }  // namespace
 
 struct LiveRun::Impl {
-  explicit Impl(std::vector<std::string> plugin_xml_files) : inputs(std::move(plugin_xml_files)) {}
+  Impl(std::vector<std::string> plugin_xml_files, base::OnStage on_stage)
+      : inputs(std::move(plugin_xml_files), std::move(on_stage)) {}
 
   LiveInputs inputs;
   std::unique_ptr<Glance> glance;          ///< while nothing else draws
@@ -79,8 +80,8 @@ struct LiveRun::Impl {
   FileStamps recording_files;
 };
 
-LiveRun::LiveRun(std::vector<std::string> plugin_xml_files)
-    : impl_(std::make_unique<Impl>(std::move(plugin_xml_files))) {}
+LiveRun::LiveRun(std::vector<std::string> plugin_xml_files, base::OnStage on_stage)
+    : impl_(std::make_unique<Impl>(std::move(plugin_xml_files), std::move(on_stage))) {}
 
 LiveRun::~LiveRun() = default;
 

@@ -10,6 +10,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "base/stages.h"
 #include "run/live/live_recording.h"
 #include "run/live/live_scene.h"
 #include "run/live/live_setup.h"
@@ -30,8 +31,9 @@ namespace synthetic_dataset::run {
 /// it as it was. Each call notices files that have changed.
 class LiveRun {
  public:
-  /// @param plugin_xml_files  as setUpRun
-  explicit LiveRun(std::vector<std::string> plugin_xml_files = {});
+  /// @param plugin_xml_files, on_stage  as setUpRun
+  explicit LiveRun(std::vector<std::string> plugin_xml_files = {},
+                   base::OnStage on_stage = base::ignoreStage);
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;

@@ -159,6 +159,7 @@ class WorldBuilder {
     }
     std::vector<world::MovingModel> moving;
     for (const scene::ObjectVariant& variant : variants) {
+      if (variant.number > 0) on_stage_("making the varieties of '" + object.name + "'");
       const auto key = std::make_pair(variant.model, object.model_arguments);
       if (variant.model && broken_models_.count(key) != 0) continue;
       const bool is_loaded =

@@ -4,20 +4,32 @@
 #include <exception>
 #include <utility>
 
+#include "base/stages.h"
 #include "programs/setup_assistant/web/http_message.h"
 
 namespace synthetic_dataset::programs {
 
+namespace {
+
+constexpr const char* kOver = "the assistant is being ended";
+
+}  // namespace
+
 LiveWorker::LiveWorker() : thread_([this] { work(); }) {}
 
 LiveWorker::~LiveWorker() {
+  close();
+  thread_.join();
+}
+
+void LiveWorker::close() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_over_ = true;
+    for (Waiting& each : waiting_) refuse(each, kOver);
+    waiting_.clear();
   }
   changed_.notify_all();
-  thread_.join();
-  for (Waiting& each : waiting_) refuse(each);
 }
 
 std::shared_future<Value> LiveWorker::ask(const std::string& kind, Job job) {
@@ -34,6 +46,10 @@ std::shared_future<Value> LiveWorker::put(const std::string& kind, Job job, Earl
   std::shared_future<Value> result = asked.result;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_over_) {
+      refuse(asked, kOver);
+      return result;
+    }
     const auto same = std::find_if(waiting_.begin(), waiting_.end(),
                                    [&](const Waiting& each) { return each.kind == kind; });
     if (same == waiting_.end()) {
@@ -41,7 +57,7 @@ std::shared_future<Value> LiveWorker::put(const std::string& kind, Job job, Earl
     } else if (earlier == Earlier::kAnswersBoth) {
       result = same->result;
     } else {
-      refuse(*same);
+      refuse(*same, "a later request of its kind has taken its turn");
       *same = std::move(asked);
     }
   }
@@ -49,13 +65,14 @@ std::shared_future<Value> LiveWorker::put(const std::string& kind, Job job, Earl
   return result;
 }
 
-void LiveWorker::refuse(Waiting& waiting) {
-  waiting.answer.set_exception(
-      std::make_exception_ptr(HttpError(409, "a later request of its kind has taken its turn")));
+void LiveWorker::refuse(Waiting& waiting, const char* why) {
+  waiting.answer.set_exception(std::make_exception_ptr(HttpError(409, why)));
 }
 
 void LiveWorker::work() {
-  run::LiveRun live;
+  run::LiveRun live({}, [this](const std::string& /*stage*/) {
+    if (is_over_) throw base::Interrupted();
+  });
   for (;;) {
     Waiting next;
     {
@@ -67,6 +84,8 @@ void LiveWorker::work() {
     }
     try {
       next.answer.set_value(next.job(live));
+    } catch (const base::Interrupted&) {
+      refuse(next, kOver);
     } catch (...) {
       next.answer.set_exception(std::current_exception());
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <future>
@@ -22,10 +23,12 @@ class LiveWorker {
 
   LiveWorker();
 
-  /// Requests that wait still are refused.
   ~LiveWorker();
   LiveWorker(const LiveWorker&) = delete;
   LiveWorker& operator=(const LiveWorker&) = delete;
+
+  /// Refuses requests from now on, those that wait, too; what is being set up is broken off.
+  void close();
 
   /// Does a job in that thread.
   /// @param kind  a job of the same kind that waits is refused
@@ -49,12 +52,12 @@ class LiveWorker {
 
   std::shared_future<Value> put(const std::string& kind, Job job, Earlier earlier);
   void work();
-  static void refuse(Waiting& waiting);
+  static void refuse(Waiting& waiting, const char* why);
 
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Waiting> waiting_;  ///< in the order in which their kinds were first asked for
-  bool is_over_ = false;
+  std::atomic<bool> is_over_ = false;
   std::thread thread_;  ///< last: it uses the others
 };
 

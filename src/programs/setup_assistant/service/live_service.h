@@ -22,6 +22,9 @@ class LiveService {
   /// The settings have changed: finds out in the background what they amount to.
   void refresh();
 
+  /// Answers nothing any more; what takes long is broken off.
+  void close() { worker_.close(); }
+
   [[nodiscard]] Value setup();
 
   /// All formats; their writers are loaded where a run's are.

@@ -8,6 +8,7 @@
 
 #include "programs/setup_assistant/web/http_message.h"
 #include "synthetic_dataset/errors.h"
+#include "support/tiny_run.h"
 
 namespace synthetic_dataset::programs {
 namespace {
@@ -73,6 +74,26 @@ TEST(LiveWorker, RefusesWhatWaitsAtItsEnd) {
   } catch (const HttpError& error) {
     EXPECT_EQ(409, error.status());
   }
+}
+
+TEST(LiveWorker, BreaksOffASetUpAndRefusesTheRestWhenItIsClosed) {
+  const test::TinyRun tiny;
+  std::promise<void> begun;
+  std::promise<void> closed;
+  LiveWorker worker;
+  auto set_up = worker.ask("setup", [&](run::LiveRun& live) {
+    begun.set_value();
+    closed.get_future().wait();
+    live.setSettings(tiny.parameters());
+    return Value(live.setup().ready);
+  });
+  begun.get_future().wait();
+  auto waiting = worker.ask("scene", answering(1));
+  worker.close();
+  EXPECT_THROW((void)waiting.get(), HttpError);  // while the first job goes on
+  EXPECT_THROW((void)worker.ask("scene", answering(1)).get(), HttpError);
+  closed.set_value();
+  EXPECT_THROW((void)set_up.get(), HttpError);
 }
 
 }  // namespace
