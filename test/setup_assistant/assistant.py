@@ -113,7 +113,7 @@ class Page:
         return self.driver.execute_script(text, *arguments)
 
     def go(self, pane):
-        self.one(f'#nav a[href="#{pane}"]').click()
+        self.click(f'#nav a[href="#{pane}"]')
         self.wait(lambda: self.all(f'body[data-pane="{pane}"]'), f'the pane {pane}')
 
     def field(self, path):
@@ -124,12 +124,16 @@ class Page:
 
     def type(self, path, text):
         """Types a value into a field and leaves it, and waits for the server to have it."""
-        element = self.input(path)
-        self.script('arguments[0].scrollIntoView({block: "center"})', element)
         before = self.revision()
-        element.click()
-        element.send_keys(Keys.CONTROL, 'a')
-        element.send_keys(text, Keys.TAB)
+
+        def typed():
+            element = self.input(path)
+            self.script('arguments[0].scrollIntoView({block: "center"})', element)
+            element.click()
+            element.send_keys(Keys.CONTROL, 'a')
+            element.send_keys(text, Keys.TAB)
+            return True
+        self.wait(typed, f'{path} to be typed')
         self.wait(lambda: self.revision() > before, f'{path} to be taken')
 
     def click(self, selector, label=None):
@@ -140,9 +144,18 @@ class Page:
                                             each.get_attribute('aria-label') == label):
                     return each
             return None
-        element = self.wait(find, f'{selector} {label or ""}')
-        self.script('arguments[0].scrollIntoView({block: "center"})', element)
-        element.click()
+        self.click_found(find, f'{selector} {label or ""}')
+
+    def click_found(self, find, what):
+        """Clicks on what is found. The page may be drawn anew in between: then what is there now is clicked on."""
+        def clicked():
+            element = find()
+            if not element:
+                return False
+            self.script('arguments[0].scrollIntoView({block: "center"})', element)
+            element.click()
+            return True
+        self.wait(clicked, what)
 
     def click_and_wait(self, selector, label=None):
         before = self.revision()

@@ -89,7 +89,7 @@ class SettingsFile(WithPage):
     def test_is_undone_and_redone_by_keys(self):
         before = self.file.read_text('utf-8')
         self.page.type('simulated_rate', '2.5')
-        self.page.one('#header h1').click()
+        self.page.click('#header h1')
         self.press(Keys.CONTROL, 'z')
         self.page.wait(lambda: self.file.read_text('utf-8') == before, 'undo')
         self.press(Keys.CONTROL, Keys.SHIFT, 'z')
@@ -229,7 +229,7 @@ class Problems(WithPage):
         """From the list of all problems to the field."""
         self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
         self.page.go('problems')
-        self.page.wait(lambda: self.link_to(pane), f'a link to {pane}').click()
+        self.page.click_found(lambda: self.link_to(pane), f'a link to {pane}')
         self.page.wait(lambda: self.page.all(f'body[data-pane="{pane}"]'), f'the pane {pane}')
         self.page.wait(lambda: self.problem_at(key), f'a problem at the field {key}')
 
@@ -245,13 +245,12 @@ class Problems(WithPage):
         self.set(['world', 'file'], '$(find synthetic_dataset)/worlds/none.world')
         self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
         self.page.go('problems')
-        entry = self.page.wait(lambda: next((each for each in self.page.all('#pane a.entry') if 'none.world' in each.text), None),
-                               'the problem')
-        self.assertIn('$(find synthetic_dataset)/worlds/none.world', entry.text)
+        self.page.wait(lambda: '$(find synthetic_dataset)/worlds/none.world' in self.page.text('#pane'), 'the problem')
         self.assertNotIn(f'{PACKAGE}/worlds/none.world', self.page.text('#pane'))
         texts = [each.text for each in self.page.all('#pane .entry')]
         self.assertEqual(len(texts), len(set(texts)))
-        entry.find_element('css selector', '.what').click()
+        self.page.click_found(lambda: next((each.find_element('css selector', '.what') for each in self.page.all('#pane a.entry')
+                                            if 'none.world' in each.text), None), 'the problem')
         self.page.wait(lambda: self.page.all('body[data-pane="world"]'), 'the world')
         self.page.wait(lambda: self.page.script('return document.activeElement.closest("[data-path]")?.dataset.path') == 'world/file',
                        'the field to have the focus')
@@ -267,9 +266,9 @@ class Randomisation(WithPage):
     def test_is_the_presets_by_one_click(self):
         self.page.go('randomisation')
         switch = '#pane [data-path="randomize/preset"] .switch'
-        self.page.wait(lambda: self.page.all(switch), 'the switch')[0].click()
+        self.page.click(switch)
         self.page.wait(lambda: 'randomize:\n  preset: transfer\n' in self.page.yaml(), 'the preset')
-        self.page.one(switch).click()
+        self.page.click(switch)
         self.page.wait(lambda: 'preset' not in self.page.yaml(), 'no preset')
 
 
@@ -636,9 +635,8 @@ class Names(WithPage):
         self.assertEqual(self.page.all('img[src="x"]'), [])
 
     def listed(self, folder):
-        for each in self.page.all('#dialog .listing button'):
-            if folder in each.text:
-                each.click()
+        self.page.click_found(lambda: next((each for each in self.page.all('#dialog .listing button') if folder in each.text), None),
+                              folder)
         return self.page.listed()
 
 

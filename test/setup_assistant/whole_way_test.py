@@ -67,10 +67,9 @@ class WholeWay(unittest.TestCase):
 
     def enter(self, name):
         before = self.read_folder()
-        entry = self.page.wait(lambda: next((each for each in self.page.all('#dialog .listing .name')
-                                             if each.text.rstrip('/').endswith(name)), None),
-                               f'{name} among {self.page.listed()}')
-        entry.click()
+        self.page.click_found(lambda: next((each for each in self.page.all('#dialog .listing .name')
+                                            if each.text.rstrip('/').endswith(name)), None),
+                              f'{name} among {self.page.listed()}')
         self.page.wait(lambda: not self.page.all('dialog[open]') or self.page.text('#dialog .folder') != before, f'{name} to open')
 
     def step(self, pane, name):
@@ -105,9 +104,9 @@ class WholeWay(unittest.TestCase):
     def choose_formats(self):
         self.step('formats', 'formats')
         for name in ['Coco', 'PascalVoc']:
-            box = self.page.wait(lambda: next((each for each in self.page.all('.format') if each.text.startswith(name)), None), name)
             before = self.page.revision()
-            box.find_element('css selector', 'input[type="checkbox"]').click()
+            self.page.click_found(lambda: next((each.find_element('css selector', 'input[type="checkbox"]')
+                                                for each in self.page.all('.format') if each.text.startswith(name)), None), name)
             self.page.wait(lambda: self.page.revision() > before, name)
 
     def choose_output(self):
