@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "programs/setup_assistant/web/http_message.h"
-#include "synthetic_dataset/errors.h"
 #include "support/tiny_run.h"
+#include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::programs {
 namespace {
