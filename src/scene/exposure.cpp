@@ -14,7 +14,8 @@ void Exposure::add(render::PendingPicture picture, double weight) {
     if (before.valid()) std::exchange(before, {}).get();
     light->add(pixels, weight);
   };
-  before_last_ = std::exchange(last_, std::async(std::launch::async | std::launch::deferred, finish));
+  before_last_ =
+      std::exchange(last_, std::async(std::launch::async | std::launch::deferred, finish));
 }
 
 render::PendingPicture Exposure::develop() {
