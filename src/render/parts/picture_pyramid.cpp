@@ -127,8 +127,10 @@ Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::
   // Each tap covers a square, half as wide as the pixel where it is narrow.
   const float side =
       std::max({0.5F * std::min(width, height), std::max(width, height) / kMost, 0.5F});
+  // 1 for what is no number: a ray along a triangle's plane meets it anywhere.
   const auto taps = [&](float length) {
-    return static_cast<std::size_t>(std::clamp(std::ceil(length / side - 0.01F), 1.0F, kMost));
+    const float wanted = std::max(1.0F, std::ceil(length / side - 0.01F));
+    return static_cast<std::size_t>(std::min(wanted, kMost));
   };
   static constexpr auto kTaps = makeTaps();
   const std::size_t columns = taps(width);
@@ -156,7 +158,8 @@ Eigen::Vector4f PicturePyramid::sample(const Eigen::Vector2f& place, const Eigen
 
 /// Adds the colours of the first places to a sum, one after the other.
 Lanes PicturePyramid::sumAt(FourPlaces places, int count, float level, Lanes sum) const {
-  const float within = std::clamp(level, 0.0F, static_cast<float>(levels_.size() - 1));
+  const auto last = static_cast<float>(levels_.size() - 1);
+  const float within = std::min(std::max(0.0F, level), last);  // 0 for what is no number
   const auto lower = static_cast<std::size_t>(within);
   const float share = within - static_cast<float>(lower);
   const Lanes x = fractionOf(places.x);
