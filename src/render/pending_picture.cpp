@@ -1,18 +1,21 @@
 #include "render/pending_picture.h"
 
 #include <future>
+#include <memory>
 #include <utility>
 
 namespace synthetic_dataset::render {
 
-PendingPicture begun(PendingPicture picture) {
-  // Deferred where no more threads are to be had: what is called has to be there for a second try.
-  const auto make = [picture = std::move(picture)]() mutable {
-    return std::exchange(picture, {})();  // what it was made of is freed
-  };
-  return [made = std::async(std::launch::async | std::launch::deferred, make).share()] {
-    return made.get();
-  };
+PendingPicture PictureMakers::begun(PendingPicture picture) {
+  const auto make =
+      std::make_shared<std::packaged_task<cv::Mat()>>([picture = std::move(picture)]() mutable {
+        return std::exchange(picture, {})();  // what it was made of is freed
+      });
+  std::shared_future<cv::Mat> made = make->get_future().share();
+  std::optional<base::BackgroundWorker>& worker = workers_.at(next_++ % workers_.size());
+  if (!worker) worker.emplace(1);
+  worker->add([make] { (*make)(); });
+  return [made = std::move(made)] { return made.get(); };
 }
 
 }  // namespace synthetic_dataset::render

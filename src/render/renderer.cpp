@@ -170,6 +170,7 @@ struct Renderer::Impl {
   SilhouettePainter silhouette_painter;
   PainterCache pictures;
   LensPainter lens_painter;
+  PictureMakers makers;  ///< last: what they make needs the others
 };
 
 Renderer::Renderer(const world::Description& description,
@@ -177,6 +178,8 @@ Renderer::Renderer(const world::Description& description,
     : impl_(std::make_unique<Impl>(description, links, options)) {}
 
 Renderer::~Renderer() = default;
+
+PictureMakers& Renderer::makers() { return impl_->makers; }
 
 void Renderer::setLook(const world::Look& look) {
   Impl& impl = *impl_;

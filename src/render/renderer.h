@@ -121,6 +121,9 @@ class Renderer {
   /// The same of a picture whose rows are taken one after the other.
   [[nodiscard]] cv::Rect reach(const RollingView& view, const LinkSelection& links) const;
 
+  /// For pictures that were drawn: makes them in the background.
+  [[nodiscard]] PictureMakers& makers();
+
   /// The version of OpenGL: "4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string glVersion() const;
 

@@ -326,7 +326,7 @@ void MotionRun::passOn(ScenePipeline& pipeline) {
     const CameraModel& camera = each.seen.scene.camera;
     const std::int64_t pixel_count = std::int64_t{camera.width()} * camera.height();
     // While the labels of the scene before are found, as neither keeps all cores busy.
-    if (each.image) each.image = render::begun(std::move(each.image));
+    if (each.image) each.image = renderer_.makers().begun(std::move(each.image));
     pipeline.add(
         [this, drawn = std::make_shared<DrawnScene>(std::move(each))] { return finish(*drawn); },
         pixel_count);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <future>
 #include <memory>
 
 #include "render/pending_picture.h"
@@ -12,7 +11,10 @@ namespace synthetic_dataset::scene {
 /// drawn, as parts of finishing one keep a single core busy.
 class Exposure {
  public:
-  /// Finishes a picture in a thread of its own, and adds it after the one before. Waits for the one
+  /// @param makers  have to outlive this
+  explicit Exposure(render::PictureMakers& makers) : makers_(&makers) {}
+
+  /// Finishes a picture in the background, and adds it after the one before. Waits for the one
   /// before that.
   /// @param weight  all of an exposure should add up to 1
   void add(render::PendingPicture picture, double weight);
@@ -22,8 +24,11 @@ class Exposure {
 
  private:
   std::shared_ptr<render::LinearAccumulator> light_ = std::make_shared<render::LinearAccumulator>();
-  std::shared_future<void> before_last_;  ///< picture; nothing once it is known to be added
-  std::shared_future<void> last_;
+  render::PictureMakers* makers_;
+
+  // Called, they wait until a picture has been added; they return none.
+  render::PendingPicture before_last_;
+  render::PendingPicture last_;
 };
 
 }  // namespace synthetic_dataset::scene

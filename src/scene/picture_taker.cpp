@@ -23,7 +23,7 @@ PictureTaker::PictureTaker(const world::World& world, render::Renderer& renderer
       for (const ShotMoment& moment : shot.moments) offsets_.push_back(moment.offset);
     }
     sensor.moments.resize(sensor.shots.size());
-    if (sensor.shots.size() > 1) sensor.exposure.emplace();
+    if (sensor.shots.size() > 1) sensor.exposure.emplace(renderer.makers());
     sensors_.push_back(std::move(sensor));
   }
   std::sort(offsets_.begin(), offsets_.end());

@@ -10,9 +10,10 @@
 namespace synthetic_dataset::render {
 namespace pending_picture_test {
 
-TEST(BegunPicture, IsMadeOnceBeforeAnybodyAsksForIt) {
+TEST(PictureMakers, MakeAPictureOnceBeforeAnybodyAsksForIt) {
   std::promise<void> made;
-  const PendingPicture picture = begun([&] {
+  PictureMakers makers;
+  const PendingPicture picture = makers.begun([&] {
     made.set_value();
     return cv::Mat(1, 1, CV_8UC1, cv::Scalar(7));
   });
@@ -21,9 +22,19 @@ TEST(BegunPicture, IsMadeOnceBeforeAnybodyAsksForIt) {
   EXPECT_EQ(picture().data, picture().data);
 }
 
-TEST(BegunPicture, FailsWhereItIsAskedFor) {
-  const PendingPicture picture = begun([]() -> cv::Mat { throw Error("no memory"); });
+TEST(PictureMakers, FailWhereThePictureIsAskedFor) {
+  PictureMakers makers;
+  const PendingPicture picture = makers.begun([]() -> cv::Mat { throw Error("no memory"); });
   EXPECT_THROW((void)picture(), Error);
+}
+
+TEST(PictureMakers, LetAPictureWaitForThoseBefore) {
+  PictureMakers makers;
+  PendingPicture last = makers.begun([] { return cv::Mat(1, 1, CV_8UC1, cv::Scalar(0)); });
+  for (int i = 0; i < 20; ++i) {
+    last = makers.begun([before = last]() -> cv::Mat { return before() + 1; });
+  }
+  EXPECT_EQ(last().at<unsigned char>(0), 20);
 }
 
 }  // namespace pending_picture_test

@@ -15,7 +15,8 @@ render::PendingPicture grey(int value) {
 }
 
 TEST(Exposure, IsTheMeanOfItsPictures) {
-  Exposure exposure;
+  render::PictureMakers makers;
+  Exposure exposure(makers);
   exposure.add(grey(255), 0.5);
   exposure.add(grey(0), 0.5);
   const render::PendingPicture first = exposure.develop();
@@ -25,8 +26,9 @@ TEST(Exposure, IsTheMeanOfItsPictures) {
 }
 
 TEST(Exposure, FinishesAPictureWhileTheOneBeforeIsInWork) {
-  Exposure exposure;
   std::promise<void> begins;
+  render::PictureMakers makers;
+  Exposure exposure(makers);
   exposure.add(
       [&] {
         begins.get_future().wait();
@@ -43,7 +45,8 @@ TEST(Exposure, FinishesAPictureWhileTheOneBeforeIsInWork) {
 }
 
 TEST(Exposure, FailsWithAPictureThatFails) {
-  Exposure exposure;
+  render::PictureMakers makers;
+  Exposure exposure(makers);
   exposure.add([]() -> cv::Mat { throw Error("no memory"); }, 1.0);
   EXPECT_THROW((void)exposure.develop()(), Error);
 }
