@@ -18,7 +18,7 @@ using PendingPicture = std::function<cv::Mat()>;
 /// Its threads stay: each new one would take memory that libraries never give back.
 class PictureMakers {
  public:
-  /// The same picture, made from now on. Waits while two others wait already.
+  /// The same picture, made from now on. Waits while its thread has one in work and one that waits.
   /// @param picture  may wait for others that were begun before
   /// @throws Error where the system starts no thread
   [[nodiscard]] PendingPicture begun(PendingPicture picture);

@@ -8,7 +8,6 @@
 #include "programs/setup_assistant/web/http_message.h"
 
 namespace synthetic_dataset::programs {
-
 namespace {
 
 constexpr const char* kOver = "the assistant is being ended";

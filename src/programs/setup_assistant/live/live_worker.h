@@ -23,6 +23,7 @@ class LiveWorker {
 
   LiveWorker();
 
+  /// Closes it first.
   ~LiveWorker();
   LiveWorker(const LiveWorker&) = delete;
   LiveWorker& operator=(const LiveWorker&) = delete;
