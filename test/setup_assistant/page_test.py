@@ -626,18 +626,16 @@ class Names(WithPage):
         name = '<img src=x onerror=alert(1)>'
         shutil.copy(PACKAGE / 'worlds' / 'example.bag', self.folder / f'{name}.bag')
         self.page.click('#pane .file-list > button')
-        self.page.wait(lambda: any(f'{name}.bag' in each for each in self.listed(self.folder.name)), 'the file')
+        folder = self.folder.name
+        self.page.click_found(lambda: next((each for each in self.page.all('#dialog .listing button') if folder in each.text), None),
+                              folder)
+        self.page.wait(lambda: f'{name}.bag' in self.page.listed(), 'the file')
         self.press(Keys.ESCAPE)
         text = self.page.yaml().replace('rover_1', name.replace(' ', '_'))
         self.page.type_yaml(text.replace(f'[{name.replace(" ", "_")},', f'["{name.replace(" ", "_")}",'))
         self.page.go('objects')
         self.page.wait(lambda: '<img_src' in self.page.text('#pane'), 'the name')
         self.assertEqual(self.page.all('img[src="x"]'), [])
-
-    def listed(self, folder):
-        self.page.click_found(lambda: next((each for each in self.page.all('#dialog .listing button') if folder in each.text), None),
-                              folder)
-        return self.page.listed()
 
 
 class Modules(WithPage):

@@ -4,18 +4,24 @@ import {h, patch} from './dom.js';
 import {bytes} from './numbers.js';
 
 const lastFolders = new Map();  // by kind
+let asked = 0;                  // how often a folder was asked for: an answer to an earlier question is not shown
 
 // The file's path, or null. It begins at the folder of `current`, if that is a whole path.
 export function browse(kind, what, current) {
   const dialog = document.getElementById('dialog');
   return new Promise((resolve) => {
     const choose = (file) => dialog.close(file ?? '');
-    dialog.onclose = () => resolve(dialog.returnValue || null);
+    dialog.onclose = () => {
+      ++asked;
+      resolve(dialog.returnValue || null);
+    };
     dialog.returnValue = '';
     dialog.setAttribute('aria-label', `Choose: ${what}`);
     const show = async (folder, instead) => {
+      const question = ++asked;
       let listing = await list(folder, kind);
       if (listing.error && instead !== undefined) listing = await list(instead, kind);
+      if (question !== asked) return;
       if (!listing.error) lastFolders.set(kind, listing.folder);
       patch(dialog, view(listing, kind, what, show, choose));
     };
