@@ -61,19 +61,32 @@ class Assistant:
         self.process.stdout.close()
 
 
-def chromium(width=1280, height=800, scheme='light'):
+def chromium():
     options = webdriver.ChromeOptions()
-    for argument in ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--disable-dev-shm-usage',
-                     f'--window-size={width},{height}']:
+    for argument in ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--disable-dev-shm-usage']:
         options.add_argument(argument)
     options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
     driver = webdriver.Chrome(service=Service('/usr/bin/chromedriver'), options=options)
+    new_tab(driver)
+    return driver
+
+
+def new_tab(driver):
+    """Closes what is open, and opens an empty tab as if nothing had been."""
+    before = driver.window_handles
+    driver.switch_to.new_window('tab')
+    opened = driver.current_window_handle
+    for handle in before:
+        driver.switch_to.window(handle)
+        driver.close()
+    driver.switch_to.window(opened)
+    driver.execute_cdp_cmd('Network.clearBrowserCookies', {})
+    driver.get_log('browser')  # which forgets what has been said
     # A window has a least width; this is what the page sees.
     driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
-        'width': width, 'height': height, 'deviceScaleFactor': 1, 'mobile': False})
+        'width': 1280, 'height': 800, 'deviceScaleFactor': 1, 'mobile': False})
     driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
-        'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
-    return driver
+        'features': [{'name': 'prefers-color-scheme', 'value': 'light'}]})
 
 
 class Page:

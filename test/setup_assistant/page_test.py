@@ -20,12 +20,24 @@ import urllib.request
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
-from assistant import Assistant, Page, chromium
+from assistant import Assistant, Page, chromium, new_tab
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = PACKAGE / 'config' / 'example.yaml'
 PANES = ['recording', 'objects', 'world', 'cameras', 'randomisation', 'formats', 'output',
          'problems', 'run', 'result']
+
+
+browser = None  # one for all tests, each of which has a tab
+
+
+def setUpModule():
+    global browser
+    browser = chromium()
+
+
+def tearDownModule():
+    browser.quit()
 
 
 class WithPage(unittest.TestCase):
@@ -40,8 +52,8 @@ class WithPage(unittest.TestCase):
         text = self.settings.read_text('utf-8')
         self.file.write_text(re.sub(r'^output_folder:.*$', f'output_folder: {self.folder}/dataset', text, flags=re.M), 'utf-8')
         self.start()
-        self.driver = chromium()
-        self.addCleanup(self.driver.quit)
+        self.driver = browser
+        self.addCleanup(new_tab, self.driver)
         self.page = Page(self.driver)
         self.page.open(self.assistant.whole_address)
 
