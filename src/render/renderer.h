@@ -13,6 +13,7 @@
 #include "render/labels/silhouette_painter.h"
 #include "render/parts/draw_list.h"
 #include "render/pending_picture.h"
+#include "render/picture_makers.h"
 #include "render/render_options.h"
 #include "render/view.h"
 #include "world/look.h"

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "render/pending_picture.h"
+#include "render/picture_makers.h"
 #include "render/sensor/linear_accumulator.h"
 
 namespace synthetic_dataset::scene {

@@ -1,4 +1,4 @@
-#include "render/pending_picture.h"
+#include "render/picture_makers.h"
 
 #include <future>
 
@@ -8,7 +8,7 @@
 #include "synthetic_dataset/errors.h"
 
 namespace synthetic_dataset::render {
-namespace pending_picture_test {
+namespace picture_makers_test {
 
 TEST(PictureMakers, MakeAPictureOnceBeforeAnybodyAsksForIt) {
   std::promise<void> made;
@@ -37,5 +37,5 @@ TEST(PictureMakers, LetAPictureWaitForThoseBefore) {
   EXPECT_EQ(last().at<unsigned char>(0), 20);
 }
 
-}  // namespace pending_picture_test
+}  // namespace picture_makers_test
 }  // namespace synthetic_dataset::render

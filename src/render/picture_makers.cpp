@@ -1,4 +1,4 @@
-#include "render/pending_picture.h"
+#include "render/picture_makers.h"
 
 #include <future>
 #include <memory>
