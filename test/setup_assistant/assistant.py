@@ -141,8 +141,7 @@ class Page:
 
         def typed():
             element = self.input(path)
-            self.script('arguments[0].scrollIntoView({block: "center"})', element)
-            element.click()
+            self.script('arguments[0].focus()', element)
             element.send_keys(Keys.CONTROL, 'a')
             element.send_keys(text, Keys.TAB)
             return True
@@ -160,14 +159,19 @@ class Page:
         self.click_found(find, f'{selector} {label or ""}')
 
     def click_found(self, find, what):
-        """Clicks on what is found. The page may be drawn anew in between: then what is there now is clicked on."""
+        """Clicks on what is found once nothing lies on it. The page is drawn anew and moves as answers come in, so what
+        is under the hand is looked at and clicked on in one go: WebDriver's click may meet what has come there since."""
         def clicked():
             element = find()
-            if not element:
-                return False
-            self.script('arguments[0].scrollIntoView({block: "center"})', element)
-            element.click()
-            return True
+            return element and self.script('''const element = arguments[0];
+                element.scrollIntoView({block: "center"});
+                const box = element.getClientRects()[0];
+                const hit = box && document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+                if (!element.contains(hit)) return false;
+                const focused = hit.closest("a, button, input, select, summary, textarea");
+                focused ? focused.focus({preventScroll: true}) : document.activeElement.blur();
+                hit.click();
+                return true;''', element)
         self.wait(clicked, what)
 
     def click_and_wait(self, selector, label=None):

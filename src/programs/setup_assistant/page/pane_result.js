@@ -14,7 +14,8 @@ const result = {
   check: null,
   isChecking: false,
   isReporting: false,
-  runState: null
+  runState: null,
+  shown: null  // what the pane shows
 };
 
 export const resultPane = {
@@ -37,7 +38,10 @@ function draw() {
     result.runState = store.run.state;
     askAgain('api/result');
   }
-  const {value, error} = answer('api/result', {page: result.page, ...result.filter});
+  const {value: read, error} = answer('api/result', {page: result.page, ...result.filter});
+  // While another choice is read, the one before stays, so that the page does not jump.
+  const value = read ?? (error ? null : result.shown);
+  result.shown = value;
   if (!value) return h('p', {class: 'empty'}, error ?? 'Reading the dataset\u2026');
   if (!value.scene_count)
     return h('p', {class: 'empty'}, 'There is no scene yet. ', h('a', {href: '#run'}, 'To the run'));
