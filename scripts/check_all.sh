@@ -14,21 +14,22 @@ cd "$repository"
 reference=${SYNTHETIC_DATASET_REFERENCE:-../shared}
 
 # A stage: its name; the paths that it guards, "." for any change, "-" for none: then --changed leaves it out; the
-# command. It runs in the order of this list, which begins with what fails soonest.
+# command. It runs in the order of this list, which begins with what fails soonest; after an "&", beside its neighbours
+# that have one, too, as it keeps no more than one core busy.
 stages=(
   'format     | .  | check_format.sh'
   'api_docs   | ^include/|^docs/Doxyfile | api_docs.sh'
   'tests      | .  | test.sh --all'
   'tidy       | .  | tidy_changed.sh $base $tidy_seconds'
-  'reference  | .  | test_reference_data.sh $reference'
-  'gazebo     | .  | compare_with_gazebo.sh $reference'
-  'scans      | ^src/(lidar|world|config|run)/|^plugins/ros_bag/|^scripts/gazebo_scans/ | compare_scans_with_gazebo.sh $reference'
-  'report     | ^scripts/report|^python/|^test/browser/ | test_report.sh'
+  'reference  | .  | & test_reference_data.sh $reference'
+  'gazebo     | .  | & compare_with_gazebo.sh $reference'
+  'scans      | ^src/(lidar|world|config|run)/|^plugins/ros_bag/|^scripts/gazebo_scans/ | & compare_scans_with_gazebo.sh $reference'
+  'report     | ^scripts/report|^python/|^test/browser/ | & test_report.sh'
+  'loaders    | ^plugins/|^include/|^src/api/|^python/|^test/loaders/ | & test_loaders.sh'
+  'page       | ^src/programs/setup_assistant/|^src/run/live/|^test/setup_assistant/ | & test_setup_page.sh'
+  'twin       | ^src/(motion|scene|label)/|^test/twin/ | & test_twin.sh'
   'preview    | ^src/programs/preview/|^launch/|^test/preview/ | test_preview.sh'
-  'loaders    | ^plugins/|^include/|^src/api/|^python/|^test/loaders/ | test_loaders.sh'
-  'page       | ^src/programs/setup_assistant/|^src/run/live/|^test/setup_assistant/ | test_setup_page.sh'
   'egl        | ^src/render/gl/|^cmake/ | test_egl.sh'
-  'twin       | ^src/(motion|scene|label)/|^test/twin/ | test_twin.sh'
   'ros2       | ^src/motion/(bag|ros2)/|^test/ros2/ | test_ros2_bags.sh'
   'faults     | ^src/(output|run)/|^test/faults/ | test_faults.sh --trials 10'
   'soak       | ^src/(output|run)/|^test/faults/ | soak.sh 20000'
@@ -89,32 +90,47 @@ mkdir -p "$state"
 # What is not committed has no name under which it could have passed.
 git diff --quiet HEAD || rm -f "$state"/*.passed
 
-run() {  # STAGE
-  local name command log start=$SECONDS
-  name=$(field "$1" 1) log=$state/$name.log
-  if [ -f "$state/$name.passed" ]; then
-    summary+=("$(printf '%-10s passed before, in %5s s' "$name" "$(cat "$state/$name.passed")")")
-    return 0
-  fi
+# Prints what the command prints and keeps it, and in a file of the result how many seconds it took.
+run() {  # NAME COMMAND
+  local start=$SECONDS result=failed command
   # The variables in a command are those of this script.
-  eval "command=(\"$here\"/$(field "$1" 3 | tr '\n' ' '))"
-  echo "== $name"
-  if "${command[@]}" 2>&1 | tee "$log"; then
-    echo $((SECONDS - start)) >"$state/$name.passed"
-    summary+=("$(printf '%-10s passed in %5s s' "$name" $((SECONDS - start)))")
-  else
-    failed=$((failed + 1))
-    summary+=("$(printf '%-10s FAILED in %5s s: %s' "$name" $((SECONDS - start)) "$log")")
-  fi
+  eval "command=(\"$here\"/$2)"
+  echo "== $1"
+  "${command[@]}" 2>&1 | tee "$state/$1.log" && result=passed
+  echo $((SECONDS - start)) >"$state/$1.$result"
 }
 
-failed=0
-summary=()
 "$here/install_dependencies.sh" git
+rm -f "$state"/*.failed
+chosen=() before=()
 for stage in "${stages[@]}"; do
-  if is_chosen "$stage"; then run "$stage"; fi
+  ! is_chosen "$stage" || chosen+=("$stage")
 done
+for stage in "${chosen[@]}"; do
+  name=$(field "$stage" 1) command=$(field "$stage" 3)
+  if [ -f "$state/$name.passed" ]; then
+    before+=("$name")
+  elif [[ $command == '& '* ]]; then
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n; done
+    (said=$(run "$name" "${command#& }") && echo "$said") &
+  else
+    wait
+    run "$name" "$command"
+  fi
+done
+wait
+
 printf '\n%s\n' "== All checks of $(git log -1 --format='%h, %s')"
-printf '%s\n' "${summary[@]}"
+failed=0
+for stage in "${chosen[@]}"; do
+  name=$(field "$stage" 1)
+  if [ -f "$state/$name.passed" ]; then
+    [[ " ${before[*]} " == *" $name "* ]] && when='passed before, in' || when='passed in'
+    printf '%-10s %s %5s s\n' "$name" "$when" "$(cat "$state/$name.passed")"
+  else
+    failed=$((failed + 1))
+    printf '%-10s FAILED in %5s s: %s\n' "$name" "$(cat "$state/$name.failed")" "$state/$name.log"
+  fi
+done
 echo "$SECONDS s in all"
-[ ${#summary[@]} -gt 0 ] && [ "$failed" -eq 0 ]
+[ ${#chosen[@]} -gt 0 ] && [ "$failed" -eq 0 ]

@@ -8,6 +8,9 @@ set -euo pipefail
 as_root=()
 [ "$(id -u)" -eq 0 ] || as_root=(sudo)
 export DEBIAN_FRONTEND=noninteractive
+# apt does not wait for another that runs.
+exec {lock}<"${BASH_SOURCE[0]}"
+flock "$lock"
 
 # Installs those of Debian's or Ubuntu's packages that are not there.
 install_missing() {

@@ -19,10 +19,14 @@ if [ "${1:-}" = --seconds ]; then end=$((SECONDS + $2)) && shift 2; fi
 
 # The test programs in which threads work; more code with threads, more names here.
 threaded=(test_output)
-# Comparisons by brute force run what other tests run, too, and would take half of the time; where time is short,
-# whole runs are left out as well.
+# Comparisons by brute force run what other tests run, too, and would take half of the time. Where time is short, whole
+# runs are left out as well, and of a test of many lenses all but a polynomial one and a fisheye.
 long_tests=$(cat "$repository/test/long_tests.txt")
-[ -n "$end" ] || long_tests=$(sed '/^# Whole runs/,$d' <<<"$long_tests")
+if [ -n "$end" ]; then
+  long_tests+=$(printf '\n*/%s' rational tilted_prism omnidirectional double_sphere fisheye_170 narrow_fisheye wide_plumb_bob)
+else
+  long_tests=$(sed '/^# Whole runs/,$d' <<<"$long_tests")
+fi
 GTEST_FILTER="-$(grep -E '^[^#]*[.*]' <<<"$long_tests" | paste -sd:)"
 export GTEST_FILTER
 # In the order of the rooms: a program needs what those before it needed.

@@ -11,7 +11,7 @@ export SYNTHETIC_DATASET_REFERENCE
 # A second opinion on worlds, where there is one.
 if apt-cache show libsdformat-dev >/dev/null 2>&1; then
   "$here/install_dependencies.sh" libsdformat-dev
-  [ ! -d "$workspace/build" ] || cmake "$workspace/build" >/dev/null
+  [ ! -d "$workspace/build" ] || flock "$workspace" cmake "$workspace/build" >/dev/null
 fi
 build_workspace --target test_reference_data test_reference_worlds test_sdformat_oracle
 use_workspace

@@ -16,9 +16,11 @@ if [ -f /opt/ros/noetic/setup.bash ]; then
   set -u
 fi
 
-# build_workspace [make arguments...]: configures the workspace where needed and builds it.
-build_workspace() {
+# build_workspace [make arguments...]: configures the workspace where needed and builds it, one script at a time.
+build_workspace() (
   mkdir -p "$workspace/src"
+  exec {lock}<"$workspace"
+  flock "$lock"
   ln -sfn "$repository" "$workspace/src/synthetic_dataset"
   [ -f "$workspace/.catkin_workspace_ready" ] || {
     (cd "$workspace" && catkin_make --cmake-args -DCMAKE_BUILD_TYPE=RelWithDebInfo \
@@ -27,7 +29,7 @@ build_workspace() {
       touch "$workspace/.catkin_workspace_ready"
   } || return
   cmake --build "$workspace/build" --parallel "$(build_jobs)" "$@"
-}
+)
 
 # As many compilers as there are processors, and memory for: sixteen sources compiled as one take up to 1.7 GB.
 build_jobs() {
