@@ -1,14 +1,17 @@
 #include "run/redraw.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include "all_at_once_run.h"
 #include "base/sqlite.h"
+#include "output/files/digest.h"
 #include "output/manifest/manifest_schema.h"
 #include "run_fixture.h"
+#include "support/temporary_folder.h"
 #include "support/verification_list.h"
 #include "support/writers/plugin_environment.h"
 
@@ -78,6 +81,20 @@ TEST_F(RedrawTest, NamesTheMaskThatDiffers) {
   EXPECT_THAT(Verified(folder).problems,
               Contains(AllOf(StartsWith("drawn again, scene 1, writer 'stvnet': "),
                              HasSubstr("bravo/mask/00000001.png: 1 of 19200 pixels differ"))));
+}
+
+TEST_F(RedrawTest, NamesAWrongLabelOnce) {
+  const std::string file = folder + "/yolo/00000002.txt";
+  std::string text = test::readFile(file);
+  const std::size_t decimal = text.find('.') + 1;
+  text[decimal] = text[decimal] == '1' ? '2' : '1';
+  std::ofstream(file) << text;
+  const std::string label = "scene 2, writer 'yolo': object '";
+  EXPECT_THAT(Verified(folder).problems, ElementsAre(HasSubstr("yolo/00000002.txt' is changed"),
+                                                     StartsWith("drawn again, " + label)));
+  change("UPDATE file SET digest = '" + output::digestOf(text) +
+         "' WHERE path = 'yolo/00000002.txt'");
+  EXPECT_THAT(Verified(folder).problems, ElementsAre(StartsWith(label)));
 }
 
 TEST_F(RedrawTest, NamesPosesThatTheRecordingDoesNotHave) {

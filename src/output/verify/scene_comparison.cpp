@@ -78,24 +78,25 @@ const OutputFile* fileAt(const std::string& path, const SceneFiles& files) {
 
 /// @return  whether anybody knows what is right
 bool compareFile(const RewrittenScene& scene, const OutputFile& right, const OutputFile& other,
-                 const std::string& name, formats::Differences& differences) {
+                 const std::string& name, SceneDifferences& differences) {
   const bool is_jpeg = base::imageFormat(right.path) == base::ImageFormat::kJpeg;
   if (is_jpeg && scene.drawn_quality) {
     const std::vector<uchar> bytes =
         encodeScene({right}, *scene.drawn_quality, scene.result.files.recorded).front().encoded;
-    comparePixels(right.path, cv::imdecode(bytes, cv::IMREAD_UNCHANGED), name, differences);
+    comparePixels(right.path, cv::imdecode(bytes, cv::IMREAD_UNCHANGED), name,
+                  differences.pictures);
     return true;
   }
   const cv::Mat pixels = pixelsOf(right);
   if (pixels.empty()) {
     if (!formats::isText(right.text) && other.text != right.text) return false;
-    formats::compareContents(formats::readText(right.path), right.text, name, differences,
+    formats::compareContents(formats::readText(right.path), right.text, name, differences.values,
                              &other.text);
     return true;
   }
   const cv::Mat others = &other == &right ? pixels : pixelsOf(other);
   if (is_jpeg || !areAlike(pixels, others) || differing(pixels, others) > 0) return false;
-  comparePixels(right.path, pixels, name, differences);
+  comparePixels(right.path, pixels, name, differences.pictures);
   return true;
 }
 
@@ -146,28 +147,29 @@ std::string pathBelow(const std::string& folder, const std::string& path) {
   return liesWithin(path, folder) ? path.substr(folder.size()) : path;
 }
 
-std::string compareScene(const FoundScene& found, const RewrittenScene& right,
-                         formats::Differences& differences) {
-  std::string unknown;
+SceneDifferences compareScene(const FoundScene& found, const RewrittenScene& right) {
+  SceneDifferences differences;
   std::set<std::string> left = found.files;
   for (const OutputFile& each : right.result.files.files) {
     const std::string name = pathBelow(found.folder, each.path);
     const OutputFile* other = right.other ? fileAt(each.path, right.other->files) : &each;
     if (left.erase(each.path) == 0) {
-      differences.add("there is no file '" + name + "'; it should be there");
+      differences.values.add("there is no file '" + name + "'; it should be there");
     } else if (found.checked.count(each.path) == 0) {
-      if (other == nullptr || !compareFile(right, each, *other, name, differences)) unknown = name;
+      if (other == nullptr || !compareFile(right, each, *other, name, differences)) {
+        differences.unknown = name;
+      }
     }
   }
   for (const std::string& path : left) {
-    differences.add("found the file '" + pathBelow(found.folder, path) +
-                    "', which the writer does not make");
+    differences.values.add("found the file '" + pathBelow(found.folder, path) +
+                           "', which the writer does not make");
   }
-  compareAllRecords(found, right, differences);
+  compareAllRecords(found, right, differences.values);
   if (!right.other || right.other->warnings == right.result.warnings) {
-    compareWarnings(found.warnings, right.result.warnings, differences);
+    compareWarnings(found.warnings, right.result.warnings, differences.values);
   }
-  return unknown;
+  return differences;
 }
 
 }  // namespace synthetic_dataset::output

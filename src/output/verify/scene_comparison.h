@@ -31,10 +31,16 @@ struct RewrittenScene {
   std::optional<base::ImageQuality> drawn_quality = {};
 };
 
+/// In what a scene's files and the manifest differ from what they should have.
+struct SceneDifferences {
+  formats::Differences values;
+  formats::Differences pictures;
+  /// A file that nobody can know, as it depends on pictures that are not known; empty: none.
+  std::string unknown;
+};
+
 /// Compares them file by file, and what the manifest keeps.
-/// @return  a file that nobody can know, as it depends on pictures that are not known; empty: none
-[[nodiscard]] std::string compareScene(const FoundScene& found, const RewrittenScene& right,
-                                       formats::Differences& differences);
+[[nodiscard]] SceneDifferences compareScene(const FoundScene& found, const RewrittenScene& right);
 
 /// A file's path as lines name it: below the writer's folder where it is there.
 [[nodiscard]] std::string pathBelow(const std::string& folder, const std::string& path);

@@ -314,22 +314,30 @@ bool SceneVerifier::dependsOnUnknown(std::size_t writer, const ScenePictures& pi
 
 void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const WrittenFiles& files,
                             const FoundScene& found, const RewrittenScene& right) {
-  formats::Differences differences;
-  const std::string unknown = compareScene(found, right, differences);
+  const SceneDifferences differences = compareScene(found, right);
   Labels& labels = labels_[writer];
-  if (!unknown.empty() && !std::exchange(labels.has_unknown_files, true)) {
-    remark("'" + unknown + "' of '" + dataset_.content().writers[writer].name +
+  if (!differences.unknown.empty() && !std::exchange(labels.has_unknown_files, true)) {
+    remark("'" + differences.unknown + "' of '" + dataset_.content().writers[writer].name +
            "', and files like it, are checked by their sizes and SHA-256 alone: they are made of "
            "pictures or clouds that no file of the dataset holds unchanged");
   }
-  if (differences.empty()) return;
+  if (differences.values.empty() && differences.pictures.empty()) return;
   std::vector<std::string> lines = wrongLabels(facts, writer, files, right.result.files);
-  if (lines.empty() || right.drawn_quality) {
-    const std::vector<std::string> of_files = differences.lines();
-    lines.insert(lines.end(), of_files.begin(), of_files.end());
+  const bool are_labels = !lines.empty();
+  const auto append = [&lines](const formats::Differences& more) {
+    for (std::string& line : more.lines()) lines.push_back(std::move(line));
+  };
+  if (!are_labels) append(differences.values);
+  if (!are_labels || right.drawn_quality) append(differences.pictures);
+  const std::string origin = originOf(facts, writer);
+  for (const std::string& line : lines) {
+    if (!right.drawn_quality) {
+      labels.said.insert(origin + line);
+      report(writer, origin + line);
+    } else if (labels.said.count(origin + line) == 0) {
+      report(writer, kDrawnAgain + origin + line);
+    }
   }
-  const std::string origin = (right.drawn_quality ? kDrawnAgain : "") + originOf(facts, writer);
-  for (const std::string& line : lines) report(writer, origin + line);
 }
 
 std::vector<std::string> SceneVerifier::wrongLabels(const SceneFacts& facts, std::size_t writer,
