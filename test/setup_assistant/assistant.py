@@ -8,7 +8,7 @@ import subprocess
 import threading
 
 from selenium import webdriver
-from selenium.common.exceptions import StaleElementReferenceException
+from selenium.common.exceptions import StaleElementReferenceException, TimeoutException
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -106,8 +106,10 @@ class Page:
                 return condition()
             except StaleElementReferenceException:
                 return False
-        return WebDriverWait(self.driver, timeout, poll_frequency=0.05).until(
-            holds, f'waited for {what}; the page says: {self.said()}')
+        try:
+            return WebDriverWait(self.driver, timeout, poll_frequency=0.05).until(holds)
+        except TimeoutException:
+            raise AssertionError(f'waited for {what}; the page says: {self.said()}') from None
 
     def all(self, selector):
         return self.driver.find_elements(By.CSS_SELECTOR, selector)

@@ -667,6 +667,20 @@ class Modules(WithPage):
                 printed = self.evaluate('flow.js', ['printFlow', [value]])
                 self.assertEqual(self.evaluate('flow.js', ['parseFlow', [printed]]), value)
 
+    def test_keep_the_focus_when_something_before_it_goes(self):
+        focused, value = self.driver.execute_async_script('''const done = arguments[0];
+            import("./page/dom.js").then(({h, patch}) => {
+              const parent = document.body.appendChild(document.createElement("div"));
+              const draw = (keys) => patch(parent, keys.map((key) => h("p", {key}, h("input", {id: key, value: ""}))));
+              draw(["gone", "first", "too", "typed"]);
+              document.getElementById("typed").focus();
+              document.execCommand("insertText", false, "half a wo");
+              draw(["first", "typed"]);
+              document.execCommand("insertText", false, "rd");
+              done([document.activeElement.id, document.getElementById("typed").value]);
+            });''')
+        self.assertEqual([focused, value], ['typed', 'half a word'])
+
     def test_turn_cameras_as_sdf_does(self):
         for rpy in [[0, 0, 0], [0.1, -0.4, 2.0], [-1.0, 1.2, -3.0]]:
             with self.subTest(rpy=rpy):

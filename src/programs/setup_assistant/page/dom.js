@@ -10,9 +10,16 @@ export function h(tag, props, ...children) {
 }
 
 export function patch(parent, children, namespace = null) {
+  // What has gone goes first: an element that is moved past it would lose the focus.
+  const keys = new Set(children.map((child) => child?.props?.key));
   const keyed = new Map();
-  for (const node of parent.childNodes) {
-    if (node.drawn?.props?.key !== undefined) keyed.set(node.drawn.props.key, node);
+  for (const node of [...parent.childNodes]) {
+    const key = node.drawn?.props?.key;
+    if (key === undefined) continue;
+    if (keys.has(key))
+      keyed.set(key, node);
+    else
+      node.remove();
   }
   let at = parent.firstChild;
   for (const child of children) {
