@@ -165,7 +165,11 @@ def main():
     # Programs run beside one another, so each has one thread to draw with.
     environment = {**os.environ, 'LP_NUM_THREADS': '1', 'OMP_NUM_THREADS': '1'}
     sums = {'passed': 0, 'failed': 0, 'skipped': 0}
-    for _ in range(arguments.repeat):
+    everything = results
+    for number in range(1, arguments.repeat + 1):
+        if arguments.repeat > 1:
+            results = everything / f'run_{number}'
+            results.mkdir()
         parts = all_parts(arguments.workspace, set(arguments.parts), arguments.all, environment, results)
         unknown = set(arguments.parts) - {re.sub(r'-\d+-of-\d+$', '', part.name) for part in parts}
         if unknown:

@@ -176,16 +176,18 @@ class Signals(Case):
 
     def test_stop_at_once_before_the_first_scene(self):
         # A program that expands a model and does not end keeps the run from its first scene.
-        pipe = self.scratch / 'pipe'
-        os.mkfifo(pipe)
         xacro = self.scratch / 'xacro'
-        xacro.write_text(f'#!/bin/sh\nexec cat {pipe}\n', encoding='utf-8')
+        xacro.write_text('#!/bin/sh\nexec cat "$PIPE"\n', encoding='utf-8')
         xacro.chmod(0o755)
-        self.environ = {**self.environ, 'PATH': f'{self.scratch}:{self.environ["PATH"]}'}
+        path = f'{self.scratch}:{self.environ["PATH"]}'
         model = self.scratch / 'robot.urdf.xacro'
         model.write_text('<robot/>', encoding='utf-8')
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
             with self.subTest(number=number):
+                # Another each time: the reader before may not have ended yet.
+                pipe = self.scratch / f'pipe_{number}'
+                os.mkfifo(pipe)
+                self.environ = {**self.environ, 'PATH': path, 'PIPE': str(pipe)}
                 node = self.start_example(1.0, f'rover_1/model:={model}')
                 with open(pipe, 'w', encoding='utf-8'):  # which waits for the reader
                     node.send_signal(number)

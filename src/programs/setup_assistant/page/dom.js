@@ -13,7 +13,7 @@ export function patch(parent, children, namespace = null) {
   // What has gone goes first: an element that is moved past it would lose the focus.
   const keys = new Set(children.map((child) => child?.props?.key));
   const keyed = new Map();
-  for (const node of [...parent.childNodes]) {
+  for (const node of Array.from(parent.childNodes)) {
     const key = node.drawn?.props?.key;
     if (key === undefined) continue;
     if (keys.has(key))
