@@ -154,11 +154,11 @@ class WholeWay(unittest.TestCase):
         return [int(each) for each in re.findall(r'\d+', self.page.text('.chosen'))]
 
     def choose_of(self, label, value):
-        before = self.page.text('.chosen')
+        before = self.chosen()
         self.page.script('''const [label, value] = arguments;
             const select = [...document.querySelectorAll(".filters label")].find(each => each.innerText.startsWith(label)).querySelector("select");
             select.value = value; select.dispatchEvent(new Event("change"));''', label, value)
-        self.page.wait(lambda: self.page.text('.chosen') != before, f'{label} {value}')
+        self.page.wait(lambda: self.chosen() != before, f'{label} {value}')
 
     def filter(self):
         scenes, labels = self.chosen()
