@@ -138,9 +138,11 @@ class SettingsFile(WithPage):
     def test_keeps_what_is_being_typed_when_another_page_changes_it(self):
         text = self.page.yaml()
         revision = self.page.revision()
+        # The page sends what was typed after a pause, which is not over before the other page has sent its change.
+        self.page.script('window.held = []; window.later = setTimeout; window.setTimeout = (work) => held.push(work);')
         self.page.type_yaml(text.replace('global_frame: map', 'global_frame: odom'))
-        # Before the page has sent what was typed, which it does after a pause.
         post(self.driver, 'api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % revision)
+        self.page.script('window.setTimeout = later; held.forEach((work) => work());')
         self.page.wait(lambda: 'changed elsewhere' in self.page.text('#yaml'), 'the question')
         self.assertIn('global_frame: odom', self.page.yaml())
         self.page.click('#yaml button', 'Take theirs')
