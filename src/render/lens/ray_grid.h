@@ -48,11 +48,6 @@ struct RowRayGrid {
 
   RayGrid grid;  ///< `first` is of each row's rays, not of each cell's
   std::vector<Bounds> rows;
-
-  [[nodiscard]] int rayCount(int row) const {
-    const auto i = static_cast<std::size_t>(row);
-    return grid.first[i + 1] - grid.first[i];
-  }
 };
 
 /// @param intrinsics  of the plane, in cells
