@@ -322,21 +322,23 @@ void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const W
            "pictures or clouds that no file of the dataset holds unchanged");
   }
   if (differences.values.empty() && differences.pictures.empty()) return;
-  std::vector<std::string> lines = wrongLabels(facts, writer, files, right.result.files);
-  const bool are_labels = !lines.empty();
-  const auto append = [&lines](const formats::Differences& more) {
-    for (std::string& line : more.lines()) lines.push_back(std::move(line));
-  };
-  if (!are_labels) append(differences.values);
-  if (!are_labels || right.drawn_quality) append(differences.pictures);
   const std::string origin = originOf(facts, writer);
-  for (const std::string& line : lines) {
-    if (!right.drawn_quality) {
-      labels.said.insert(origin + line);
-      report(writer, origin + line);
-    } else if (labels.said.count(origin + line) == 0) {
-      report(writer, kDrawnAgain + origin + line);
+  const bool is_drawn = right.drawn_quality.has_value();
+  std::vector<std::string> lines;
+  // What was found before the scene was drawn again is not said once more.
+  const auto append = [&](const std::vector<std::string>& more, bool are_said) {
+    for (const std::string& line : more) {
+      const bool is_new = is_drawn ? labels.known.count(origin + line) == 0
+                                   : labels.known.insert(origin + line).second;
+      if (is_new && are_said) lines.push_back(line);
     }
+  };
+  append(wrongLabels(facts, writer, files, right.result.files), true);
+  const bool have_labels = !lines.empty();
+  append(differences.values.lines(), !have_labels);
+  append(differences.pictures.lines(), !have_labels || is_drawn);
+  for (const std::string& line : lines) {
+    report(writer, (is_drawn ? kDrawnAgain : "") + origin + line);
   }
 }
 

@@ -67,7 +67,7 @@ class SceneVerifier {
     std::unique_ptr<ReadyWriter> writer;      ///< null: nobody knows what is right
     bool is_right = true;                     ///< nothing wrong has been found yet
     bool has_unknown_files = false;           ///< it is said which files nobody can know
-    std::set<std::string> said = {};          ///< of scenes, before they are drawn again
+    std::set<std::string> known = {};         ///< what is wrong, before scenes are drawn again
   };
 
   void loadWriters(WriterLoader& loader);
