@@ -1,11 +1,11 @@
-/// What a scene costs at the least where Mesa's llvmpipe draws: colour, lit without shadows, and
-/// identifiers of the same triangles in one pass, read, and compressed as two PNGs in another
-/// thread, while the next scene is drawn.
+/// The least that a scene costs if Mesa's llvmpipe draws it: colour, lit without shadows, and
+/// identifiers of the same triangles, drawn in one pass, read back, and compressed as two PNGs in
+/// another thread while the next scene is drawn.
 ///
 ///   benchmark_floor FOLDER SCENES [same]
 ///
-/// FOLDER holds the room of speed/room.py. With `same`, the picture is what ours is, made in the
-/// usual way: with a shadow map of which 16 texels are looked up, and four samples a pixel. Prints
+/// FOLDER holds the room of speed/room.py. With `same`, the picture is the same as ours, but made
+/// in the usual way: with a shadow map and lookups of 16 texels, and four samples per pixel. Prints
 /// the seconds from the first scene to the last, as JSON.
 
 #include <array>
@@ -41,8 +41,8 @@ namespace {
 using namespace synthetic_dataset;
 using namespace synthetic_dataset::benchmark;
 
-constexpr GLsizei kShadowMap = 2048;  // [texel] of a side
-constexpr GLsizei kSamples = 4;       // of a pixel
+constexpr GLsizei kShadowMap = 2048;  // side length [texel]
+constexpr GLsizei kSamples = 4;       // per pixel
 constexpr GLuint kPictureUnit = 0;
 constexpr GLuint kShadowUnit = 1;
 
@@ -52,9 +52,9 @@ struct Drawn {
   const render::MeshBuffers* mesh;
   GLuint picture;
   Eigen::Vector4f diffuse;
-  Pose X_WV;        ///< of an object, in the scene being drawn
+  Pose X_WV;        ///< in the scene being drawn
   Pose X_MV;        ///< in its model
-  int object = -1;  ///< -1 for what stands still
+  int object = -1;  ///< -1 for static surfaces
 };
 
 /// The direction to the sun.
@@ -65,7 +65,7 @@ Eigen::Vector3d toLight(const nlohmann::json& room) {
 
 class Floor {
  public:
-  /// @param same  with shadows and smooth edges
+  /// @param same  whether to draw shadows and smooth edges
   Floor(const world::Description& description, const nlohmann::json& room, bool same)
       : gl_(context_.gl()),
         meshes_(gl_),
@@ -162,8 +162,8 @@ class Floor {
     program_.set("to_light", Eigen::Vector3f(toLight(room).normalized().cast<float>()));
   }
 
-  /// Of all that stands still, as the sun sees it: x and y from -1 to 1, z from 0 to 1, which is
-  /// nearest to it.
+  /// The projection of the whole room as the sun sees it: x and y from -1 to 1, z from 0 to 1, with
+  /// 1 nearest to the sun.
   [[nodiscard]] Eigen::Matrix4d shadowFromWorld(const nlohmann::json& room) const {
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond::FromTwoVectors(toLight(room), Eigen::Vector3d::UnitZ());
@@ -208,7 +208,7 @@ class Floor {
       world::Texture{"white", cv::Mat(1, 1, CV_8UC4, cv::Scalar::all(255))});
   std::vector<Drawn> drawn_;
 
-  // Of the same picture as ours:
+  // Only for the same picture as ours:
   std::optional<FloorPicture> samples_;
   std::optional<render::GlTexture> shadow_map_;
   std::optional<render::GlFramebuffer> shadow_framebuffer_;
@@ -229,7 +229,7 @@ double secondsOf(const std::string& folder, std::size_t scenes, bool same) {
   Floor floor(world::loadWorld(folder + "/room.sdf", finder), room, same);
   base::BackgroundWorker encoder(2);
   auto begin = std::chrono::steady_clock::now();
-  for (std::size_t scene = 0; scene <= scenes; ++scene) {  // the first is for warming up
+  for (std::size_t scene = 0; scene <= scenes; ++scene) {  // the first is a warm-up
     if (scene == 1) {
       encoder.finish();
       begin = std::chrono::steady_clock::now();
@@ -237,7 +237,7 @@ double secondsOf(const std::string& folder, std::size_t scenes, bool same) {
     floor.draw(room["scenes"][scene % room["scenes"].size()]);
     encoder.add([&folder, scene, colour = floor.picture().readColour(),
                  ids = floor.picture().readIdentifiers()] {
-      constexpr int kCompression = 1;  // as ours by default: the quickest
+      constexpr int kCompression = 1;  // our default, the fastest
       cv::Mat identifiers;
       ids.convertTo(identifiers, CV_8U);
       const std::string name = folder + "/floor" + std::to_string(scene);

@@ -2,7 +2,7 @@
 
 #include "render/gl/framebuffer.h"
 
-// After glcorearb.h, whose names it has in an older version.
+// After glcorearb.h, as it defines the same names in an older version.
 #include <GL/osmesa.h>
 
 namespace synthetic_dataset::benchmark {

@@ -6,15 +6,15 @@
 
 namespace synthetic_dataset::benchmark {
 
-/// What the floor draws into: colour and identifiers, of one sample a pixel or of several.
+/// The targets that the floor draws into: colour and identifiers, one or more samples per pixel.
 class FloorPicture {
  public:
   FloorPicture(const render::GlFunctions& gl, const cv::Size& size, GLsizei samples);
 
-  /// Empties it and makes it what is drawn into.
+  /// Clears the picture and binds it as the target.
   void begin() const;
 
-  /// Colours become the means of their samples, identifiers those of the first; that is to be read.
+  /// Writes each pixel's mean colour and first identifier to a picture that is to be read.
   void resolveTo(const FloorPicture& one) const;
 
   [[nodiscard]] cv::Mat readColour() const;       ///< CV_8UC3: blue, green, red

@@ -22,7 +22,7 @@ void main() {
 }
 )";
 
-/// @param shadows  what `passes` does
+/// @param shadows  the body of `passes`, the share of sunlight that is not in shadow
 [[nodiscard]] inline std::string fragmentShader(const std::string& shadows) {
   return R"(#version 450 core
 in vec3 seen_normal;

@@ -26,7 +26,7 @@ void writeFile(const fs::path& file, const std::string& content) {
   if (!stream.flush()) throw Error(file.string() + ": cannot be written");
 }
 
-/// A sphere with bumps, no two alike, as an OBJ file.
+/// A bumpy sphere as an OBJ file; the bumps depend on the model.
 std::string bumpySphere(int model) {
   std::string text = "mtllib skin.mtl\nusemtl skin\n";
   for (int i = 0; i <= kRings; ++i) {

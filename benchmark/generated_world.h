@@ -11,9 +11,9 @@ struct GeneratedWorld {
   std::vector<std::filesystem::path> pictures;
 };
 
-/// Writes 50 models of about 5,000 triangles each, that share five pictures of 512 x 512 pixels,
-/// and a world that holds them in rows.
-/// @param folder  exists and is empty
+/// Writes 50 models of about 5,000 triangles each, which share five pictures of 512 x 512 pixels,
+/// and a world in which they stand in rows.
+/// @param folder  has to exist and be empty
 [[nodiscard]] GeneratedWorld generateWorld(const std::filesystem::path& folder);
 
 }  // namespace synthetic_dataset::benchmark

@@ -1,5 +1,5 @@
-/// How long it takes from a world's file to its first picture, as a multiple of the least that it
-/// could take: reading the bytes, importing every mesh with assimp and decoding every picture, and
+/// Measures the time from a world's file to its first picture, as a multiple of the least that it
+/// could take: reading the bytes, importing every mesh with assimp, decoding every picture, and
 /// drawing one picture.
 ///
 ///   benchmark_loading
@@ -67,7 +67,7 @@ world::Description load(const fs::path& file) {
   return world::loadWorld(file.string(), finder);
 }
 
-/// A world's links where the file places them, ready to be drawn.
+/// A world's links at their poses in the file, ready to be drawn.
 class Scenery {
  public:
   explicit Scenery(const world::Description& description) {

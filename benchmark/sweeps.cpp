@@ -1,6 +1,6 @@
-/// How many sweeps a second a lidar makes: 64 rings of 1024 columns, all labels, in a hall with 16
-/// balls of some 5,000 triangles that move all the time. Everything counts: the world's way through
-/// the sweep, poses, rays.
+/// Measures how many sweeps per second a lidar makes: 64 rings of 1024 columns, all labels, in a
+/// hall with 16 balls of some 5,000 triangles that move all the time. This includes advancing the
+/// world through the sweep, poses and rays.
 ///   benchmark_sweeps [SECONDS]
 
 #include <chrono>

@@ -1,5 +1,5 @@
-/// What one more format costs: the processor time of a run with several writers that share their
-/// images, as multiples of the run with the first of them alone.
+/// Measures what one more format costs: the processor time of a run with several writers that share
+/// their images, as a multiple of that of a run with only the first of them.
 ///
 ///   benchmark_writers REPOSITORY
 ///
@@ -42,7 +42,7 @@ struct Writer {
   Value::Map parameters;
 };
 
-/// Formats that all take the picture as PNG.
+/// Formats that all write the picture as PNG.
 std::vector<Writer> writers() {
   const auto ultralytics = [](const char* task) {
     return Writer{task, "UltralyticsYolo", {{"task", Value(task)}}};
@@ -68,8 +68,8 @@ std::string exampleSettings(const fs::path& repository) {
   return text;
 }
 
-/// The processor's seconds that a run with the first `count` writers takes: on a machine that does
-/// other things too, these tell more than a clock.
+/// The processor time [s] of a run with the first `count` writers, which is more meaningful than
+/// wall-clock time on a machine with other load.
 double timeOf(const fs::path& repository, const fs::path& folder, std::size_t count) {
   Value settings = base::parseYaml(exampleSettings(repository), "example.yaml");
   Value::Map& map = *settings.as<Value::Map>();
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
   const fs::path folder = fs::temp_directory_path() / "synthetic_dataset_benchmark_writers";
   try {
     std::vector<double> best(kCounts.size(), std::numeric_limits<double>::infinity());
-    // In turns, so that what else the machine does falls on all alike.
+    // In turns, so that other load on the machine affects all counts equally.
     for (int i = 0; i < kTries; ++i) {
       for (std::size_t k = 0; k < kCounts.size(); ++k) {
         best[k] = std::min(best[k], timeOf(repository, folder, kCounts[k]));

@@ -1,5 +1,5 @@
-# Everything is built as libFuzzer and the sanitizers need it; the fuzzers' own folder adds libFuzzer's
-# main (https://llvm.org/docs/LibFuzzer.html).
+# Builds everything with the flags that libFuzzer and the sanitizers need; only the fuzzers link
+# libFuzzer's main (https://llvm.org/docs/LibFuzzer.html).
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   message(FATAL_ERROR "SYNTHETIC_DATASET_FUZZ needs clang: scripts/fuzz.sh configures with it")
 endif()
@@ -8,7 +8,7 @@ set(fuzzing_options -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-re
 add_compile_options(${fuzzing_options})
 add_link_options(-fsanitize=address,undefined)
 
-# One reader that is fuzzed: <name>_fuzz.cpp, whose seeds lie in corpus/<name>.
+# Adds a fuzzer for one reader: <name>_fuzz.cpp, with its seeds in corpus/<name>.
 #   synthetic_dataset_fuzzer(bag LIBRARIES x)
 function(synthetic_dataset_fuzzer name)
   cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})

@@ -1,6 +1,6 @@
-# Headers that nearly every file includes, read once for all: reading headers is half of a build.
-# A compiler cache cannot see through them, so with one (-DCMAKE_CXX_COMPILER_LAUNCHER=ccache) they
-# are off: each file includes what it uses, and needs them for nothing else.
+# Precompiles headers that nearly every file includes: parsing headers is half of a build.
+# A compiler cache cannot see through precompiled headers, so they are off if there is one
+# (-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); files compile without them, as each includes what it uses.
 set(precompile_default ON)
 if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_VERSION VERSION_LESS 3.16)
   set(precompile_default OFF)
@@ -13,8 +13,8 @@ set(synthetic_dataset_common_headers
   <memory> <optional> <ostream> <random> <set> <sstream> <string> <tuple> <variant> <vector>
   <Eigen/Geometry> <opencv2/imgproc.hpp>)
 
-# Compiles the common headers, and those that are named beside, for targets of one kind: all must be
-# compiled with the same flags, so their properties that make flags are named here too.
+# Precompiles the common headers and the given HEADERS for targets of one kind. All of these must be
+# compiled with the same flags, so properties that affect the flags have to be given here too.
 #   synthetic_dataset_precompiled(core HEADERS <x.h> LIBRARIES y PROPERTIES CXX_VISIBILITY_PRESET hidden)
 function(synthetic_dataset_precompiled kind)
   cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES;PROPERTIES" ${ARGN})

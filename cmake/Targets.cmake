@@ -1,27 +1,28 @@
-# Warnings that every target of this repository is built with.
+# Enables the warnings that every target of this repository is built with.
 function(synthetic_dataset_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 endfunction()
 
-# Several sources are compiled as one, since reading the same headers is most of a build. Each source
-# still compiles by itself, which a stage of .ci/run checks.
+# Compiles several sources as one, since parsing the same headers is most of a build. Each source
+# still compiles by itself; a stage of .ci/run checks this.
 option(SYNTHETIC_DATASET_UNITY "Compile several sources as one" ON)
 function(synthetic_dataset_unity target)
   if(SYNTHETIC_DATASET_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-    # Classes of one source that hold types of its unnamed namespace look like a header's.
+    # The sources of a unity build look like headers to GCC, which warns about classes in headers
+    # with members whose types are in an unnamed namespace.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 
 set(synthetic_dataset_rarely_run $<$<CONFIG:RelWithDebInfo>:-O1> $<$<CONFIG:RelWithDebInfo>:-g0>)
 
-# One room of the core: a static library of all sources in a folder, that no other package links.
+# Adds one room of the core: a static library of a folder's sources, which no other package links.
 #   synthetic_dataset_room(motion LIBRARIES x)
-# EXCLUDE names sources that are not of the library. Libraries that are not ours are named as
-# SYSTEM_INCLUDES' owners do: their headers are exempt from our warnings.
-# RARELY_RUN: its code runs once a run or a scene, not once a pixel, so that to optimise it takes
-# longer than it saves.
+# EXCLUDE: sources that do not belong to the library. SYSTEM_INCLUDES: include folders of third-party
+# libraries, whose headers are exempt from our warnings.
+# RARELY_RUN: for code that runs once per run or scene, not once per pixel, so that optimising it
+# takes longer than it saves.
 function(synthetic_dataset_room name)
   cmake_parse_arguments(ARG "RARELY_RUN" "" "EXCLUDE;LIBRARIES;SYSTEM_INCLUDES" ${ARGN})
   file(GLOB_RECURSE sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *.cpp)

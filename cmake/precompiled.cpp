@@ -1,1 +1,1 @@
-// Empty: CMake wants a source for the headers that it precompiles (Precompiled.cmake).
+// Empty: CMake needs a source file for a target with precompiled headers (Precompiled.cmake).

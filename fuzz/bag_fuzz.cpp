@@ -8,7 +8,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
   const std::string bag = fuzzing::write("input.bag", fuzzing::view(data, size)).string();
-  // librosbag takes milliseconds to begin: only what it is let have gets as far.
+  // librosbag takes milliseconds to start: only bags that pass our own checks get that far.
   fuzzing::tolerating([&] {
     static_cast<void>(
         motion::checkBag(bag, [](const std::string& topic) { return topic != "/other"; }));

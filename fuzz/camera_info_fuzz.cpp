@@ -1,5 +1,5 @@
-// Calibrations in the formats that are read here, and the camera that they make. OpenCV's
-// FileStorage is OpenCV's own reader.
+// Calibrations in the formats that we read ourselves, and the cameras that result. OpenCV's
+// FileStorage is left to OpenCV's own reader.
 #include <string>
 
 #include "fuzzing.h"

@@ -1,5 +1,5 @@
-// Messages of ROS 2, and the definitions of their types: the first byte says of which type, or that
-// it is a definition.
+// ROS 2 messages and the definitions of their types: the first byte selects the type, or says that
+// the input is a definition.
 #include <array>
 
 #include "fuzzing.h"

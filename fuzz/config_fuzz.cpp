@@ -1,4 +1,4 @@
-// Settings: YAML, and all that is read of them before the run.
+// Settings: YAML, and everything that is read from it before the run.
 #include "base/yaml_value.h"
 #include "config/config.h"
 #include "config/motion_list.h"

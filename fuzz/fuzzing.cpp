@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a sanitizer ends a child with: scripts/fuzz.sh sets it (exitcode=99).
+/// The exit code of a child that a sanitizer ends; scripts/fuzz.sh sets it (exitcode=99).
 const std::string kChildsFault = "exit code 99)";
 
-/// By hash: libFuzzer learns what texts are compared with, and would make inputs that have it.
+/// Compares by hash: libFuzzer learns which texts are compared, and would generate them.
 bool isOfAChildsFault(const std::string& message) {
   if (message.size() < kChildsFault.size()) return false;
   const std::hash<std::string> hash;

@@ -1,4 +1,4 @@
-// Writes the fuzzers' seeds that are no text, or that repeat themselves: make_seeds FOLDER.
+// Writes the fuzzers' seeds that are binary or repetitive: make_seeds FOLDER.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -134,7 +134,8 @@ void writeText(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-/// What nests deeper than any stack, and what takes time that grows with its square.
+/// Inputs that nest deeper than any stack, and inputs whose time grows with the square of their
+/// size.
 void writeRepetitions(const fs::path& folder) {
   const std::string brackets = repeated("[", 9000) + repeated("]", 9000);
   writeText(folder / "config/nested", "a: " + brackets);

@@ -1,4 +1,4 @@
-// Manifests: SQLite files that an earlier run, or somebody else, has left.
+// Manifests: SQLite files left by an earlier run, or by somebody else.
 #include "fuzzing.h"
 #include "output/manifest/manifest.h"
 #include "output/manifest/manifest_content.h"
@@ -31,7 +31,7 @@ void readToGoOn(const std::string& folder) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string folder = fuzzing::folder().string();
-  const auto write = [&] {  // anew each time: opening it may change it
+  const auto write = [&] {  // again each time, as opening it may change it
     std::filesystem::remove(fuzzing::folder() / "manifest.sqlite-journal");
     return fuzzing::write("manifest.sqlite", fuzzing::view(data, size)).string();
   };

@@ -1,4 +1,4 @@
-// Occupancy maps: map_server's YAML and, after a line of "%%", the picture of this name.
+// Occupancy maps: map_server's YAML and, after a line of "%%", the picture that it names.
 #include "fuzzing.h"
 #include "randomize/placement/map_reader.h"
 

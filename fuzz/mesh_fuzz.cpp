@@ -1,5 +1,5 @@
-// Mesh files of each format, the first byte saying which. assimp reads them in a process of its
-// own; what it makes of them comes back as bytes, which the first byte may say that the input is.
+// Mesh files of each format; the first byte selects the format. assimp reads them in a process of
+// its own, and the result comes back as bytes; the first byte can also say that the input is those.
 #include <array>
 
 #include "fuzzing.h"

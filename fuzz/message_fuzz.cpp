@@ -1,4 +1,4 @@
-// Recorded messages: a bag that is sound holds the input as the content of its messages.
+// Recorded messages: a valid bag contains the input as the content of its messages.
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 
@@ -58,7 +58,7 @@ struct Serializer<Content<Message>> {
 
 namespace {
 
-/// Topics that are read where there is no TF.
+/// Topics that are read if there is no TF.
 void readOtherTopics(const std::string& bytes) {
   using namespace synthetic_dataset;
   const std::string file = (fuzzing::folder() / "others.bag").string();

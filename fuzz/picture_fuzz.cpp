@@ -1,5 +1,5 @@
 // Pictures of all formats. Their decoders run in a process of their own, which costs time: only
-// what passes our own checks gets as far.
+// pictures that pass our own checks get that far.
 #include "base/image/picture_check.h"
 #include "base/image/picture_decoder.h"
 #include "base/image/picture_size.h"

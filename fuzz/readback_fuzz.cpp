@@ -1,5 +1,5 @@
-// The files of datasets. The first byte says of which format, A for the first; the pieces after it
-// are the text files that the format has of a scene, and a last one may be the scene's picture.
+// The files of datasets. The first byte selects the format, A for the first; the pieces after it
+// are the text files that the format has for a scene, and a last one may be the scene's picture.
 #include <map>
 #include <set>
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Measures how fast scenes are made, beside MuJoCo, PyBullet, pyrender, BlenderProc (where there is a
-# Python 3.11, which Blender wants) and a bare OpenGL program on the same scene, and what a dataset costs besides:
+# Measures how fast scenes are made, compared with MuJoCo, PyBullet, pyrender, BlenderProc (if there is a
+# Python 3.11, which Blender needs) and a bare OpenGL program on the same scene, and the other costs of a dataset:
 #   ./scripts/benchmark.sh [RESULTS [ARGUMENTS...]]
 # RESULTS (./benchmark_results by default) gets table.md, results.json, plot.png, costs.md, costs.json,
-# cameras.md and cameras.json; ARGUMENTS are those of benchmark/speed/run.py. What it is compared with is installed
-# once, from PyPI, into a virtual environment below ~/.cache. All of it takes about three quarters of
+# cameras.md and cameras.json; ARGUMENTS are those of benchmark/speed/run.py. The other programs are installed
+# once, from PyPI, into virtual environments below ~/.cache. Everything takes about three quarters of
 # an hour on two cores.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

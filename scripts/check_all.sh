@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Runs every check of this repository, and says what each took. What has passed on the same commit is not run
-# again, so a run that was stopped goes on where it was.
+# Runs every check of this repository, and says how long each took. Stages that have passed on the same commit
+# are not run again, so a run that was stopped continues where it was.
 #   ./scripts/check_all.sh [STAGE...]       all by default; --list prints the names
-#   ./scripts/check_all.sh --changed        what guards every promise, and what guards the parts that
+#   ./scripts/check_all.sh --changed        the stages that guard everything, and those that guard the parts that
 #                                           differ from the commit CI_BASE; without it, the last twenty commits
 # Reference data is read from SYNTHETIC_DATASET_REFERENCE, ../shared by default; stages that need it are left
-# out where it is not. Logs lie beside the workspace (scripts/workspace.sh). Exit code 0 only if all pass.
+# out if it is missing. Logs are beside the workspace (scripts/workspace.sh). Exit code 0 only if all pass.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -13,9 +13,9 @@ source "$here/workspace.sh"
 cd "$repository"
 reference=${SYNTHETIC_DATASET_REFERENCE:-../shared}
 
-# A stage: its name; the paths that it guards, "." for any change, "-" for none: then --changed leaves it out; the
-# command. It runs in the order of this list, which begins with what fails soonest; after an "&", beside its neighbours
-# that have one, too, as it keeps no more than one core busy.
+# A stage: its name; the paths that it guards ("." for any change, "-" for none: --changed leaves it out); its command.
+# Stages run in the order of this list, which begins with those that fail soonest. A command after an "&" keeps no more
+# than one core busy: it runs in parallel with its neighbours that also have an "&".
 stages=(
   'format     | .  | check_format.sh'
   'api_docs   | ^include/|^docs/Doxyfile | api_docs.sh'
@@ -58,9 +58,9 @@ case ${1:-} in
     only_changed=true
     changed=$(git diff --name-only "$base" HEAD)
     changed_sources=$(git diff --name-only --diff-filter=d "$base" HEAD -- '*.cpp')
-    # A change of many rooms leaves the rest to the run of all checks.
+    # If a change affects many rooms, whatever does not fit into these times is left to the run of all checks.
     tidy_seconds=90 source_time='--seconds 300' sanitizer_time='--seconds 420'
-    # A room's tests are the program of its name; include/ and src/api are tested together.
+    # The test program of a room is named after it; include/ and src/api are tested together.
     changed_programs=$(sed -nE 's:^(src|test)/([^/]+)/.*\.(cpp|h)$:\2:p; s:^plugins/.*:plugins:p; s:^include/.*:api:p' \
       <<<"$changed" | sort -u | while read -r room; do
         grep -qs 'synthetic_dataset_test(' "test/$room/CMakeLists.txt" && echo "test_$room"
@@ -87,13 +87,13 @@ is_chosen() {  # STAGE
 state=$workspace-checks/$(git rev-parse HEAD)
 $only_changed && state=$state-changed
 mkdir -p "$state"
-# What is not committed has no name under which it could have passed.
+# Results are kept by commit, so they say nothing about uncommitted changes.
 git diff --quiet HEAD || rm -f "$state"/*.passed
 
-# Prints what the command prints and keeps it, and in a file of the result how many seconds it took.
+# Prints and logs the command's output, and writes the seconds that it took to a file named after the result.
 run() {  # NAME COMMAND
   local start=$SECONDS result=failed command
-  # The variables in a command are those of this script.
+  # Expands the variables in the command, which are those of this script.
   eval "command=(\"$here\"/$2)"
   echo "== $1"
   "${command[@]}" 2>&1 | tee "$state/$1.log" && result=passed

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Checks that every source compiles by itself, with the oldest compiler and libraries that users have.
-# By itself: without the precompiled header, and not as one with others, both of which hide a missing
+# By itself: without the precompiled header and outside a unity build, both of which hide a missing
 # include. The oldest: GCC 9.3 and headers of Debian 11 (Eigen 3.3, OpenCV 4.5, yaml-cpp 0.6, ...),
 # which are fetched from its mirror and unpacked beside the workspace. Only the syntax is checked.
 #   ./scripts/check_each_source.sh [--seconds N] [FILE...]    all by default, which takes 12 minutes
-# --seconds: no further source is begun after this time, and the script says how many are left.
+# --seconds: no further source is started after this time, and the script says how many are left.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -17,10 +17,10 @@ packages=(
   libeigen3-dev libgtest-dev libgmock-dev nlohmann-json3-dev libmicrohttpd-dev libegl-dev libembree-dev libyaml-cpp-dev libassimp-dev libbullet-dev
   libopencv-{core,imgproc,imgcodecs,video,calib3d,features2d,flann,dnn,contrib}-dev
 )
-# What Ubuntu 20.04 lacks and these do not: JSON 3.9's, gMock 1.11's, and what OpenCV 4.10 renamed.
+# Names that these packages have but Ubuntu 20.04 lacks (JSON 3.9, gMock 1.11), or that OpenCV 4.10 renamed.
 newer='nlohmann::ordered_json|testing::Throws|\bThrowsMessage\b|cv::float16_t'
 
-# Debian 11's packages, with lists and a cache of their own.
+# apt-get for Debian 11's packages, with lists and a cache of its own.
 old=$systems/headers-of-bullseye
 apt_of_bullseye() {
   apt-get -q -o Dir::Etc::SourceList="$old/sources.list" -o Dir::Etc::SourceParts=/dev/null \
@@ -70,7 +70,7 @@ CHOSEN = sys.argv[4:]
 with open(sys.argv[1], encoding='utf-8') as file:
     every = {entry['file']: entry for entry in json.load(file)}
 chosen = set(map(os.path.realpath, CHOSEN))
-# What is not built here (examples are packages of their own) has no entry.
+# Sources that this build does not contain (examples are packages of their own) have no entry.
 entries = {file: entry for file, entry in every.items() if not chosen or file in chosen}
 
 
@@ -79,7 +79,7 @@ def with_old_headers(include):
 
 
 def compiles(entry):
-    """Nothing where there was no time for it."""
+    """Whether a source compiles; None if there was no time to check it."""
     if time.monotonic() > END:
         return None
     command = re.sub(r'-isystem (/usr/include/\S+)', with_old_headers, entry['command'])

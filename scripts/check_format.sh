@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Checks that the C++ and JavaScript files are formatted as the .clang-format above them says, and JavaScript for mistakes;
-# changes nothing. Exit code 1 where something is to be done.
+# Checks that C++ and JavaScript files are formatted as the nearest .clang-format says, and JavaScript for mistakes;
+# changes nothing. Exit code 1 if there is something to fix.
 #   ./scripts/check_format.sh [FILES...]     all files by default
-# The judges are clang-format 14, Debian 12's, and oxlint. To format files: clang-format -i FILES
+# Uses clang-format 14, Debian 12's, and oxlint. To format files: clang-format -i FILES
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -22,5 +22,5 @@ if [ ! -x "$environment/bin/oxlint" ]; then
   /usr/bin/python3 -m venv "$environment"
   "$environment/bin/pip" --disable-pip-version-check install -q --no-deps "oxlint==$oxlint"
 fi
-# Sliders' ends are rounded, such as 3.1416.
+# approx-constant: the ends of sliders are rounded, such as 3.1416.
 "$environment/bin/oxlint" --deny correctness --allow approx-constant "${scripts[@]}"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Holds the includes of include/, src/ and plugins/ against the table of docs/architecture.md.
+"""Checks the includes of include/, src/ and plugins/ against the table of docs/architecture.md.
 
     ./scripts/check_layers.py [--arrows] [REPOSITORY]
 
-Prints how many rooms there are, and how many arrows between them; with --arrows, each of them with
-its number of includes. Exit code 1 when a room includes what it may not, with a line for each such
+Prints the number of rooms, and of arrows between them; with --arrows, each arrow with its number of
+includes. Exit code 1 if a room includes something that it may not, with a line for each such
 include.
 """
 import collections
@@ -14,30 +14,30 @@ import sys
 
 API = 'synthetic_dataset'
 
-# What a room may include of this repository, by the first part of the path between the quotes. The
-# order is that of the figure in docs/architecture.md: a room knows only rooms above it.
+# Which parts of this repository a room may include, by the first part of the path between the quotes.
+# The order is that of the figure in docs/architecture.md: a room knows only rooms above it.
 MAY_INCLUDE = {
     'include': {API},
     'src/api': {API, 'api'},
     'src/base': {API, 'base'},
-    'plugins': {API, 'plugins', 'base'},  # of base, the conversion to ROS messages
+    'plugins': {API, 'plugins', 'base'},  # from base, the conversion to ROS messages
     'src/motion': {API, 'motion', 'base'},
     'src/world': {API, 'world', 'base'},
     'src/randomize': {API, 'randomize', 'base', 'motion', 'world'},
     'src/render': {API, 'render', 'base', 'world'},
     'src/label': {API, 'label', 'base', 'world', 'render'},
     'src/lidar': {API, 'lidar', 'base', 'motion', 'world', 'render'},
-    'src/output': {API, 'output', 'base', 'plugins'},  # of plugins, what verify reads
+    'src/output': {API, 'output', 'base', 'plugins'},  # from plugins, the readers for verify
     'src/scene': {API, 'scene', 'base', 'motion', 'world', 'randomize', 'render', 'label'},
     'src/config': {API, 'config', 'base'},  # and the options of all rooms
-    # of plugins, masks as polygons and colours of numbers
+    # from plugins, masks as polygons and colours of numbers
     'src/run': {API, 'run', 'base', 'motion', 'world', 'randomize', 'render', 'label', 'lidar', 'scene',
                 'output', 'config', 'plugins'},
     'src/programs': {API, 'programs', 'base', 'motion', 'world', 'randomize', 'render', 'output',
                      'config', 'run', 'plugins'},
 }
 
-# Folders within a room, each of which may include those before it, and what lies beside them all.
+# Folders within a room; each may include those before it, and the files directly in the room.
 INNER_ORDER = {
     'src/motion': ('ros2', 'bag', 'tf', 'recorded'),
     'src/world': ('files', 'material', 'physics', 'mesh', 'shape', 'sdf', 'urdf'),
@@ -48,7 +48,7 @@ INNER_ORDER = {
     'src/scene': ('calibration', 'measured'),
 }
 
-# Libraries that only some rooms may know, by how the path of the include begins.
+# Libraries that only some rooms may use, by the beginning of the include's path.
 CONFINED = [
     ('OpenGL', re.compile(r'GL/'), {'src/render'}),
     ('Bullet', re.compile(r'(bullet/)?(bt[A-Z]|LinearMath/|BulletCollision/|BulletDynamics/)'),
@@ -73,8 +73,8 @@ CONFINED = [
      {'src/programs'}),
 ]
 
-# Each room defines its options beside the code that they configure, in headers that `config` fills
-# and that are light: they include API, distributions and other options.
+# Each room defines its options beside the code that they configure. `config` fills them in. Their
+# headers are light: they only include the API, `base` and other options.
 OPTIONS = re.compile(r'_options\.h$')
 
 SOURCES = {'.h', '.hpp', '.cpp'}
@@ -82,18 +82,18 @@ INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
 
 def folder_of(file):
-    """The row of the table that a file, relative to the repository, belongs to."""
+    """The row of the table to which a file belongs; its path is relative to the repository."""
     if file.parts[0] != 'src':
         return file.parts[0]
     return f'src/{file.parts[1]}'
 
 
 def inner_arrow(file, included):
-    """The folder within the file's own folder that it reaches for and may not, or None."""
+    """The folder within the file's own room that it includes but may not, or None."""
     folder = folder_of(file)
     order = INNER_ORDER.get(folder)
     if order is None or len(file.parts) < 4:
-        return None  # what lies beside them may include them all
+        return None  # files directly in the room may include all of its folders
     target = pathlib.PurePath('src', included)
     if folder_of(target) != folder or len(target.parts) < 4:
         return None
@@ -104,7 +104,7 @@ def inner_arrow(file, included):
 
 
 def includes_of(path):
-    """Line number, path and whether it is in quotes, of each include."""
+    """Yields the line number and path of each include, and whether the path is in quotes."""
     for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(), start=1):
         match = INCLUDE.match(line)
         if match:
@@ -112,14 +112,14 @@ def includes_of(path):
 
 
 def forbidden(file, included, quoted):
-    """What a file, relative to the repository, reaches for and may not, or None."""
+    """What a file includes but may not, or None; its path is relative to the repository."""
     folder = folder_of(file)
     for library, beginning, folders in CONFINED:
         if beginning.match(included):
             return None if folder in folders else library
     first, slash, _ = included.partition('/')
     if not quoted:
-        return None  # somebody else's
+        return None  # a library's
     target = first if slash else '(no folder)'
     if folder != 'plugins' and OPTIONS.search(file.name) and target not in {API, 'base'}:
         return None if OPTIONS.search(included) else f'{target} (from options)'

@@ -3,10 +3,10 @@
 
     ./scripts/check_symbols.py BUILD_FOLDER
 
-C++ lets a name have one definition only, but nobody need say so: of an inline function in a header
-of the tests and another function of the same name in the library, the linker takes either, as the
-order of files has it. Tests then measure something else than they show. The check reads the build's
-object files; exit code 1 when a name has two definitions and not all of them are inline.
+C++ allows only one definition of a name, but no tool has to report a second one: if a header of the
+tests has an inline function and the library another function of the same name, the linker takes
+either, depending on the order of files. Tests then run different code than they show. The check reads
+the build's object files; exit code 1 if a name has two definitions and not all of them are inline.
 """
 import os
 import pathlib
@@ -22,11 +22,11 @@ REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 
 
 def source_of(path, build):
-    """The source of an object file, below the repository; nothing if there is none any more."""
+    """The source of an object file, relative to the repository; None if it no longer exists."""
     folder, _, rest = str(path.relative_to(build)).partition('CMakeFiles/')
     inside = rest.partition('.dir/')[2].replace('__/', '../')[:-len('.o')]
     source = pathlib.PurePath(os.path.normpath(os.path.join(folder, inside)))
-    # catkin_make's build folder has one more folder, the package's.
+    # catkin_make's build folder has an additional level, the package's folder.
     for place in (source, pathlib.PurePath(*source.parts[1:])):
         if (REPOSITORY / place).is_file():
             return str(place)
@@ -34,7 +34,7 @@ def source_of(path, build):
 
 
 def definitions(objects):
-    """(object file, letter, name) of each symbol that other files can see."""
+    """Yields (object file, letter, name) for each symbol that other files can see."""
     table = subprocess.run(['nm', '--defined-only', '--extern-only', '--print-file-name',
                             '--format=posix', *objects],
                            check=True, capture_output=True, text=True).stdout

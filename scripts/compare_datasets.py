@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Compares the files of two datasets of the same settings, made on different systems.
+"""Compares the files of two datasets with the same settings, made on different systems.
 
     ./scripts/compare_datasets.py [--rounding SHARE] FOLDER OTHER
 
-Every file has to have the same bytes, but for the manifest, which names the libraries' versions.
-With --rounding, colour pictures may be rounded otherwise: up to that share of a picture's pixels may
-differ by 1 of 255. Exit code 1 when something else differs.
+All files must have the same bytes, except for the manifest, which names the libraries' versions.
+With --rounding, colour pictures may be rounded differently: up to that share of a picture's pixels may
+differ by 1 of 255. Exit code 1 if anything else differs.
 """
 import argparse
 import pathlib
@@ -22,7 +22,7 @@ def files_of(folder):
 
 
 def unfiltered(filter_type, row, above, pixel_bytes):
-    """A row as it was before its filter (ISO/IEC 15948, clause 9): none, sub or up."""
+    """Undoes a row's filter (ISO/IEC 15948, clause 9): none, sub or up."""
     if filter_type == 0:
         return row
     if filter_type == 2:
@@ -35,7 +35,7 @@ def unfiltered(filter_type, row, above, pixel_bytes):
 
 
 class Png:
-    """A PNG file: its header, and its inflated bytes."""
+    """A PNG file: its header and its inflated bytes."""
 
     def __init__(self, data):
         chunks = {}
@@ -49,7 +49,7 @@ class Png:
         self.filtered = zlib.decompress(chunks[b'IDAT'])
 
     def pixels(self):
-        """Of a colour picture, three bytes each."""
+        """The pixels of a colour picture, three bytes each."""
         step = 3 * self.width + 1
         above = bytearray(step - 1)
         rows = []
@@ -61,8 +61,8 @@ class Png:
 
 
 def difference(picture, other):
-    """The greatest difference of a channel, and the share of pixels that differ; nothing if these
-    are no colour pictures of one size."""
+    """The greatest difference in a channel, and the share of pixels that differ; None unless both
+    are colour pictures of the same size."""
     if picture.rest != other.rest or picture.colour != TRUE_COLOUR:
         return None
     a, b = picture.pixels(), other.pixels()

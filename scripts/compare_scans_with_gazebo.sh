@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Scans worlds of the reference data with this program's lidars, and holds each ray against Gazebo 11's own sensors, whose
-# scans are in test/reference/gazebo_scans (scripts/gazebo_scans/record.py makes them anew):
+# Scans worlds of the reference data with this program's lidars, and compares each ray with Gazebo 11's own sensors, whose
+# scans are in test/reference/gazebo_scans (scripts/gazebo_scans/record.py makes them again):
 #   ./scripts/compare_scans_with_gazebo.sh REFERENCE_FOLDER [OUTPUT_FOLDER]
-# Fails where less than 99 % of the rays agree (but ENOUGH_IN in compare.py). The output folder gets the runs, and a table.
+# Fails if less than 99 % of a world's rays agree (but see ENOUGH_IN in compare.py). Runs and a table go to OUTPUT_FOLDER.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Runs the reference data's compare.py with the settings that Gazebo's pictures were taken with.
+"""Runs the reference data's compare.py with the settings of Gazebo's pictures.
 
 usage: compare_with_gazebo.py REFERENCE_FOLDER OUT [NAME...] [compare.py's options]
 
-Gazebo's pictures there show no shadows, as its software OpenGL draws none, and nothing beyond 500 m, the far plane of its
-camera. compare.py leaves both as this program has them by default.
+Gazebo's pictures show no shadows, as its software OpenGL draws none, and nothing beyond 500 m, the far plane of its
+camera. compare.py itself leaves both at this program's defaults.
 """
 import os
 import sys
@@ -16,7 +16,7 @@ NO_SHADOWS = 'rendering: {shadow_distance: 0.001}\n'
 def main() -> None:
     folder = os.path.join(os.path.realpath(sys.argv[1]), 'gazebo')
     sys.path.insert(0, folder)
-    import compare  # of the reference data
+    import compare  # from the reference data
 
     own_settings = compare.settings
 

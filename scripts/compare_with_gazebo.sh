@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Draws the worlds of which Gazebo's own pictures are among the reference data, and holds ours against them:
+# Draws the worlds for which the reference data has Gazebo's own pictures, and compares ours with them:
 #   ./scripts/compare_with_gazebo.sh REFERENCE_FOLDER [OUTPUT_FOLDER]
-# Fails where fewer worlds agree than test/reference/agreeing_worlds.txt lists. The output folder gets the
-# pictures side by side, and a table.
+# Fails if a world of test/reference/agreeing_worlds.txt no longer agrees. The pictures, side by side, and a
+# table go to the output folder.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -14,8 +14,8 @@ kept=$repository/test/reference/agreeing_worlds.txt
 "$here/install_dependencies.sh" python3-opencv
 build_workspace --target generate synthetic_dataset_writers
 use_workspace
-# Without Gazebo's media, so that the result does not depend on whether it is installed, unless GAZEBO_MEDIA
-# names its share folder (share/gazebo-11).
+# Does not use Gazebo's media, so that the result does not depend on whether Gazebo is installed, unless
+# GAZEBO_MEDIA names its share folder (share/gazebo-11).
 python3 "$here/compare_with_gazebo.py" "$reference" "$output" --media "${GAZEBO_MEDIA:-/nowhere}" | tee "$output.log"
 mkdir -p "$output" && mv "$output.log" "$output/log.txt"
 

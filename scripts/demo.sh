@@ -13,7 +13,7 @@ use_workspace
 roslaunch synthetic_dataset generate.launch \
   config:="$repository/config/example.yaml" output_folder:="$output" if_exists:=overwrite
 
-# roslaunch answers 0 whatever its node returned: the manifest knows whether the run is complete.
+# roslaunch exits with 0 whatever its node returned: the manifest says whether the run is complete.
 "$here/describe_dataset.py" "$output"
 rosrun synthetic_dataset draw_labels "$output" "$output/overview.png"
 echo "Labels drawn into one of its scenes: $output/overview.png"

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """usage: describe_dataset.py FOLDER
 
-Says what is in a dataset, from its manifest: FOLDER is that of the run's manifest.
+Prints what is in a dataset, according to its manifest. FOLDER is the folder with the manifest.
 
   --help  prints this
 
   describe_dataset.py datasets/example
 
-Exit codes: 0 the dataset is complete, 1 it is not, or cannot be read, 2 a wrong usage.
+Exit codes: 0 the dataset is complete, 1 it is not complete or cannot be read, 2 wrong usage.
 """
 import collections
 import itertools
@@ -20,7 +20,7 @@ import statistics
 import sys
 import urllib.parse
 
-MOST_TEXTS = 5  # of an entry, the most frequent ones
+MOST_TEXTS = 5  # the most frequent ones of an entry are printed
 
 
 def summary(numbers):
@@ -28,7 +28,7 @@ def summary(numbers):
 
 
 def describe_draws(values):
-    """What was drawn of one entry: numbers, lists of numbers or texts."""
+    """Describes the values drawn for one entry: numbers, lists of numbers or texts."""
     if all(isinstance(value, (int, float)) for value in values):
         return summary(values)
     if all(isinstance(value, list) for value in values):
@@ -47,7 +47,7 @@ def print_draws(database):
 
 
 def print_motions(database):
-    """Which scenes are whose, where there are several."""
+    """Prints which scenes belong to which motion, if there are several."""
     motions = database.execute(
         'SELECT name, (SELECT count(*) FROM scene'
         ' WHERE instant >= first_instant AND instant < first_instant + instant_count),'
@@ -59,14 +59,14 @@ def print_motions(database):
 
 
 def print_credits(database):
-    """Whose work is in the pictures; not known of datasets of older versions."""
+    """Prints whose work is in the pictures; manifests of older versions do not say."""
     if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'credit'").fetchone():
         return
     named = {path: (author, license_text) for path, author, license_text in database.execute(
         'SELECT path, author, license FROM credit')}
     inputs = [path for path, in database.execute('SELECT path FROM input')]
     models = [os.path.dirname(path) + '/' for path in inputs if path.endswith('/model.config')]
-    # A model's description and material libraries are by whoever made its meshes.
+    # A model's description and material libraries count as the work of the author of its meshes.
     credited = tuple(model for model in models if any(path.startswith(model) for path in named))
     counts = collections.Counter(named.get(path, ('', '')) for path in inputs
                                  if path in named or not path.startswith(credited))
@@ -76,7 +76,7 @@ def print_credits(database):
 
 
 def opened(manifest):
-    """Of an unfinished run, also where nobody can write: there SQLite reads none that may change."""
+    """Opens a manifest, even where nothing can be written: there SQLite needs an immutable file."""
     name = urllib.parse.quote(str(manifest))
     try:
         database = sqlite3.connect(f'file:{name}?mode=ro', uri=True)
@@ -123,7 +123,7 @@ if __name__ == '__main__':
         code = main()
         sys.stdout.flush()
         sys.exit(code)
-    except BrokenPipeError:  # whoever reads has seen enough
+    except BrokenPipeError:  # the reader of the pipe has seen enough
         os._exit(1)
     except sqlite3.Error as error:
         sys.exit(f'{sys.argv[1]}: the manifest cannot be read: {error}')

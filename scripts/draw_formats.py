@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the pictures of docs/formats: what the files of each format say, drawn by draw_labels.
+"""Makes the pictures of docs/formats: the labels in the files of each format, drawn by draw_labels.
 
     ./scripts/draw_formats.py DATASET SCENE LEFT TOP WIDTH HEIGHT
 
-DATASET has the writers below by their names; the rest says which part of which scene is shown. Those of
-the documentation: the bundled example at 1 scene a second, scene 3, `150 100 330 335`.
+DATASET has writers with the names below; the rest selects the part of a scene that is shown. The
+documentation uses the bundled example at 1 scene per second, scene 3, `150 100 330 335`.
 """
 import pathlib
 import subprocess
@@ -18,11 +18,11 @@ FAMILIES = {
     'masks': ['coco', 'ultralytics_segment', 'cityscapes', 'stvnet'],
     'poses': ['bop', 'dope', 'kitti', 'pvnet'],
 }
-COLOURS = 128  # of a picture: they are small so
+COLOURS = 128  # of a picture, to keep the files small
 
 
 def drawn(dataset, scene, writer, part):
-    """The part of a scene's picture with the labels of one writer."""
+    """The part of a scene's picture, with the labels of one writer."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / 'labels.png'
         subprocess.run(['rosrun', 'synthetic_dataset', 'draw_labels', dataset, file, scene, writer],

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes the README's pictures: docs/images/run.gif, the bundled example's scenes with the labels of their
-# COCO files, docs/randomize.jpg, the scenes of config/example_placement.yaml, and docs/images/weather.jpg, one
-# scene without weather, in fog, in rain and in snow.
+# Makes pictures for the documentation: docs/images/run.gif, the bundled example's scenes with the labels of
+# their COCO files, docs/randomize.jpg, the scenes of config/example_placement.yaml, and
+# docs/images/weather.jpg, one scene without weather, in fog, in rain and in snow.
 #   ./scripts/draw_run.sh [FOLDER]    puts them into FOLDER (docs)
-# Built and sourced before: the workspace, as by demo.sh.
+# The workspace has to be built, as by demo.sh, and sourced.
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 folder=${1:-$repository/docs}
@@ -14,7 +14,7 @@ trap 'rm -rf "$scratch"' EXIT
 rosrun synthetic_dataset generate --config "$repository/config/example.yaml" \
   output_folder:="$scratch/dataset"
 rosrun synthetic_dataset draw_labels --video "$scratch/run.mp4" "$scratch/dataset" coco
-# A palette of the film's own colours; of a still camera, only what changes is stored.
+# With a palette of the film's own colours; while the camera stands still, only what changes is stored.
 ffmpeg -v error -y -i "$scratch/run.mp4" -vf "fps=5,scale=360:-1:flags=lanczos,split[a][b];\
 [a]palettegen=max_colors=96:stats_mode=diff[p];\
 [b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle" "$folder/images/run.gif"

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""How long others' worlds take to their first scene: a run of one scene of each world and model of a reference folder.
+"""Measures the time to the first scene: a run of one scene for each public world and model of a reference folder.
 
 usage: first_scene_times.py REFERENCE_FOLDER [--least S] [--only PART] [--table FILE]
 
---least  list the files that take at least so many seconds of processor time (default 2)
---only   of files whose path has this part alone
---table  writes all times to this file, a line a file
+--least  lists the files that take at least so many seconds of processor time (default 2)
+--only   only files with this text in their path
+--table  writes all times to this file, one line per file
 
-Prints median, 90th percentile and the worst of the time on the clock, and of the processor time of the run with all of its
-threads and processes, which says more on a machine that is busy. What is missing is left out (`on_missing_asset: warn`);
-files that hold no world are passed over. Source a workspace first. Nothing but Python is needed.
+Prints the median, the 90th percentile and the maximum of the wall-clock time, and of the processor time of the run with
+all its threads and processes, which is more meaningful on a busy machine. Missing assets are left out
+(`on_missing_asset: warn`); files without a world are skipped. Source a workspace first. Needs only Python.
 """
 import argparse
 import os
@@ -52,7 +52,7 @@ def program() -> str:
 
 
 def model_paths(root: Path) -> list:
-    """The folders that have models in them, and packages' models, as the packages' set-up would name them."""
+    """The folders that contain models, and those of packages, as a set-up of the packages would name them."""
     folders = set()
     for folder, _, files in os.walk(root):
         if 'model.config' in files:
@@ -63,7 +63,7 @@ def model_paths(root: Path) -> list:
 
 
 def things(reference: Path, scratch: Path) -> list:
-    """(name, world file, root of its models) of all."""
+    """(name, world file, root of its models) for each world and model."""
     found = []
     for repository in sorted((reference / 'worlds').iterdir()):
         if not repository.is_dir():
@@ -80,7 +80,7 @@ def things(reference: Path, scratch: Path) -> list:
 
 
 def run(generate: str, settings: Path, environment: dict) -> tuple:
-    """Exit code, time on the clock and processor time."""
+    """Exit code, wall-clock time and processor time [s]."""
     begin = time.monotonic()
     process = subprocess.Popen([generate, '--config', str(settings)], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL, env=environment)

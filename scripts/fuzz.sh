@@ -2,9 +2,9 @@
 # Fuzzes each reader of files for a while with clang's libFuzzer, AddressSanitizer and
 # UndefinedBehaviorSanitizer; exit code 0 only if nothing crashes, hangs or takes too much memory.
 #   [FUZZ_SEED=N] ./scripts/fuzz.sh [SECONDS_EACH [TARGET...]]     60 seconds and all targets of fuzz/ by default
-# Everything lies beside the workspace (scripts/workspace.sh), outside the sources: the build, the
-# inputs that were found to be of interest (they are where the next call begins) and, in `crashes`,
-# the inputs that broke something; the table at the end says how to run one again.
+# All results are beside the workspace (scripts/workspace.sh), outside the sources: the build, the
+# interesting inputs that were found (with which the next call starts) and, in `crashes`, the inputs
+# that broke something; the table at the end says how to run one again.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -29,10 +29,10 @@ targets=("$@")
 seeds=$folder/seeds
 "$programs/make_seeds" "$seeds"
 
-# A child process with a fault ends with 99, by which the parent knows it (fuzz/fuzzing.cpp).
+# A child process with a fault exits with 99, by which the parent recognises it (fuzz/fuzzing.cpp).
 export ASAN_OPTIONS=exitcode=99:detect_leaks=0:allocator_may_return_null=0
 export UBSAN_OPTIONS=exitcode=99:print_stacktrace=1
-# What users' machines have in these must not change the result.
+# A user's own values of these must not change the result.
 unset GAZEBO_MODEL_PATH GZ_SIM_RESOURCE_PATH IGN_GAZEBO_RESOURCE_PATH SDF_PATH GAZEBO_RESOURCE_PATH
 
 fuzz() {  # TARGET
@@ -41,7 +41,7 @@ fuzz() {  # TARGET
   for inputs_of in "$seeds/$1" "$repository/fuzz/corpus/$1"; do
     [ ! -d "$inputs_of" ] || inputs+=("$inputs_of")
   done
-  # A fuzzer that is out of memory does not always end by itself.
+  # A fuzzer that runs out of memory does not always end by itself.
   timeout --kill-after=10 $((seconds + 120)) "$programs/$1_fuzz" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" \
     -timeout=25 -report_slow_units=25 -rss_limit_mb=2048 -malloc_limit_mb=2048 \
     -max_len=20000 -print_final_stats=1 -verbosity=1 \
@@ -64,7 +64,7 @@ for target in "${targets[@]}"; do
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -1)
   crashes=$(find "$folder/crashes" -name "$target-*" | wc -l)
   printf '%-14s %12s %8s\n' "$target" "${executions:--}" "$crashes"
-  # Without its last lines a fuzzer has ended before its time, even where it left no input.
+  # If its last lines are missing, a fuzzer has ended early, even if it left no input.
   if [ "$crashes" -gt 0 ] || [ -z "$executions" ]; then
     failed=1
     echo "  see $log"

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Installs what is missing, quick when nothing is; as root, or with sudo.
+# Installs the packages that are missing, as root or with sudo; quick if none is.
 #   ./scripts/install_dependencies.sh [MORE_PACKAGES...]
-# On Debian 11 to 13, all of it are Debian's own packages, ROS 1 included. Where ROS Noetic is in
-# /opt/ros, as on Ubuntu 20.04, rosdep names the packages of package.xml.
+# On Debian 11 to 13, all of them are Debian's own packages, ROS 1 included. If ROS Noetic is in
+# /opt/ros, as on Ubuntu 20.04, rosdep finds the packages for package.xml.
 set -euo pipefail
 
 as_root=()
 [ "$(id -u)" -eq 0 ] || as_root=(sudo)
 export DEBIAN_FRONTEND=noninteractive
-# apt does not wait for another that runs.
+# apt does not wait for another apt that is running.
 exec {lock}<"${BASH_SOURCE[0]}"
 flock "$lock"
 
-# Installs those of Debian's or Ubuntu's packages that are not there.
+# Installs those of the given packages that are missing.
 install_missing() {
   local package missing=()
   for package in "$@"; do
@@ -26,7 +26,7 @@ install_missing() {
 }
 
 if [ -d /opt/ros/noetic ]; then
-  # The last three are optional, and rosdep is not asked for them.
+  # The last three are optional, and not in package.xml for rosdep.
   install_missing build-essential cmake pkg-config python3-rosdep libdeflate-dev libisal-dev libembree-dev "$@"
   repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
   # shellcheck disable=SC1091
@@ -39,11 +39,11 @@ if [ -d /opt/ros/noetic ]; then
   exit 0
 fi
 
-# Mesa has had no OSMesa since 25.1; EGL draws the same.
+# OSMesa was removed from Mesa 25.1; with EGL, the same is drawn.
 gl=libosmesa6-dev
 [ -n "$(apt-cache show "$gl" 2>/dev/null)" ] || gl='libegl-dev libgl1-mesa-dri'
 
-# Without it lidars are left out, as on processors for which there is none.
+# Without Embree, lidars are left out; it does not exist for every processor.
 [ -z "$(apt-cache show libembree-dev 2>/dev/null)" ] || gl="$gl libembree-dev"
 
 # shellcheck disable=SC2086
@@ -63,7 +63,7 @@ install_missing \
   libconsole-bridge-dev libtinyxml2-dev libdeflate-dev libisal-dev zlib1g-dev liblz4-dev libzstd-dev libssl-dev \
   nlohmann-json3-dev libmicrohttpd-dev libgtest-dev libgmock-dev "$@"
 
-# Debian has no xacro. PyPI's newest needs nothing but Python's YAML here (src/world/files/template_file.cpp).
+# Debian has no xacro. As it is used here, PyPI's newest only needs Python's YAML (src/world/files/template_file.cpp).
 xacro_folder=${XDG_DATA_HOME:-$HOME/.local/share}/synthetic_dataset/xacro
 if ! python3 -c 'import xacro' 2>/dev/null && [ ! -d "$xacro_folder/xacro" ]; then
   install_missing python3-pip python3-yaml

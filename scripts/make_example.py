@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes what the bundled example's files name: textures, meshes, the recording and the map.
+"""Makes the files of the bundled example: textures, meshes, the recording and the map.
 
-Writes into worlds/ of this repository; run again after a change of a shape or of a path. The same
-files come out each time. Needs ROS's rosbag and nothing else beside Python's standard library.
+Writes into worlds/ of this repository; run it again after changing a shape or a trajectory. It makes
+the same files each time. Needs only ROS's rosbag and Python's standard library.
 """
 
 import os

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes worlds/example_pictures.bag: what a camera in the bundled example's hall has recorded.
+"""Makes worlds/example_pictures.bag: the recording of a camera in the bundled example's hall.
 
-The pictures and depth images are drawn by `generate`, of the example's world and recording. Their camera's clock is
-37 ms late, it is turned by one degree against its place in TF, and the hall has a visitor who is not in the
-example's world: config/example_twin.yaml labels them all the same. Run again after a change of the example; needs
-a built workspace that has been sourced, and nothing else beside ROS's rosbag and sensor_msgs.
+`generate` draws the pictures and depth images, from the example's world and recording. The camera's clock is
+37 ms late, the camera is turned by one degree from its pose in TF, and the hall has a visitor who is not in the
+example's world; config/example_twin.yaml labels the pictures nevertheless. Run it again after changing the
+example; needs a built workspace that has been sourced, and otherwise only ROS's rosbag and sensor_msgs.
 """
 import math
 import pathlib
@@ -61,7 +61,7 @@ distortion_coefficients: {{rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}}
 
 
 def generate(scratch, name, camera, writer, effects):
-    """The folder of the dataset that a camera sees."""
+    """Makes a dataset with a camera, and returns its folder."""
     width, height, focal = camera
     world = (REPOSITORY / 'worlds' / 'example.sdf').read_text('utf-8')
     (scratch / 'visited.sdf').write_text(world.replace('</world>', VISITOR + '</world>'), 'utf-8')

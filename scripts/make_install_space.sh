@@ -2,7 +2,7 @@
 # Builds everything and installs it into a folder that needs neither the sources nor a compiler:
 #   ./scripts/make_install_space.sh FOLDER
 # On another machine with the same release of Debian or Ubuntu, the folder has to be at the same
-# path, and the packages that FOLDER/packages.txt lists installed. Then
+# path, and the packages listed in FOLDER/packages.txt have to be installed. Then
 #   FOLDER/env.sh FOLDER/lib/synthetic_dataset/generate --config settings.yaml
 # makes a dataset.
 set -euo pipefail
@@ -14,13 +14,13 @@ folder=$(realpath -m "$1")
 
 "$here/install_dependencies.sh"
 build_workspace
-# What catkin installs contains the path.
+# catkin writes the prefix into the files that it installs.
 cmake -DCMAKE_INSTALL_PREFIX="$folder" "$workspace/build" >/dev/null
 cmake --install "$workspace/build" --strip >/dev/null
 cmake -DCMAKE_INSTALL_PREFIX="$workspace/install" "$workspace/build" >/dev/null
 
-# The packages of the libraries that programs and plugins name; apt-get adds what these need in
-# turn. setup.sh and describe_dataset.py are in Python; ROS finds packages by a hook of setup.sh.
+# The packages of the libraries that programs and plugins link; apt-get adds their dependencies.
+# setup.sh and describe_dataset.py need Python; ROS finds packages through a hook of setup.sh.
 mapfile -t libraries < <(find "$folder" -type f -perm -u+r -exec objdump -p {} + 2>/dev/null |
   awk '$1 == "NEEDED" { print $2 }' | sort -u)
 package_of() {  # PATTERNS of a file

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Runs built tests side by side and sums up their results; exit code 0 only if there are some and all pass.
+"""Runs built tests in parallel and sums up their results; exit code 0 only if there are some and all pass.
 
     run_tests.py WORKSPACE [--all] [--repeat N] [PART...]
 
-Without --all, tests that take long are left out: those of test/long_tests.txt. PART names what to run: a
-program of test/ ("test_run"), or a test of launch files ("generate"); all by default. Each runs in a
-process with a folder for temporary files and one for ROS of its own. Programs with many tests run in parts.
-A part that dies leaves no result, or one that says so: both count as failures.
+Without --all, long tests are left out: those in test/long_tests.txt. PART names what to run: a test
+program ("test_run"), or a test of launch files ("generate"); all by default. Each runs in a process of its
+own, with its own folders for temporary files and for ROS. Programs with many tests are run in parts.
+A part that crashes leaves no result, or one that says so: both count as failures.
 """
 import argparse
 import concurrent.futures
@@ -22,8 +22,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[1]
-TESTS_IN_A_PART = 40  # enough that starting a program does not count
-TIMEOUT = 1800.0  # [s], for a part that hangs
+TESTS_IN_A_PART = 40  # enough for the program's start not to matter
+TIMEOUT = 1800.0  # [s], in case a part hangs
 
 
 class Part:
@@ -32,12 +32,12 @@ class Part:
     def __init__(self, name, command, results, folder):
         self.name = name
         self.command = command
-        self.results = results  # the JUnit file that it leaves, or a folder of them
-        self.folder = folder  # in which it runs
+        self.results = results  # the JUnit file that it writes, or a folder of them
+        self.folder = folder  # its working directory
         self.seconds = 0.0
 
     def run(self, environment, log):
-        """Whether it ended well. Its results are left for who counts them."""
+        """Runs the part and returns whether it succeeded. `count` reads its results."""
         start = time.monotonic()
         with tempfile.TemporaryDirectory(prefix='synthetic_dataset_tests_') as scratch:
             own = {**environment, 'TMPDIR': scratch, 'ROS_HOME': scratch + '/ros'}
@@ -52,7 +52,7 @@ class Part:
 
 
 def long_tests():
-    """(patterns of gtest's names, names of launch tests) of what takes long."""
+    """(patterns of gtest names, names of launch tests) of the long tests."""
     lines = (REPOSITORY / 'test/long_tests.txt').read_text(encoding='utf-8').splitlines()
     names = [line.split('#')[0].strip() for line in lines]
     names = [name for name in names if name]
@@ -61,14 +61,14 @@ def long_tests():
 
 
 def count_of(program, tests, environment):
-    """How many tests a program has that a filter lets through."""
+    """How many tests of a program pass a filter."""
     listed = subprocess.run([program, '--gtest_list_tests', f'--gtest_filter={tests}'], env=environment,
                             stdout=subprocess.PIPE, universal_newlines=True, check=True)
     return sum(line.startswith('  ') for line in listed.stdout.splitlines())
 
 
 def parts_of_program(program, tests, environment, results):
-    """A program of gtest, in several parts where it has many tests."""
+    """Yields a gtest program's parts: several if it has many tests."""
     count = count_of(program, tests, environment)
     parts = -(-count // TESTS_IN_A_PART)
     room = REPOSITORY / 'test' / program.name.replace('test_', '', 1)
@@ -83,14 +83,14 @@ def parts_of_program(program, tests, environment, results):
 def part_of_launch_file(file, results):
     """A file of tests that rostest starts."""
     folder = results / file.stem
-    # Made by CMake, it lies in the workspace.
+    # The file may have been made by CMake, in the workspace.
     command = ['rostest', f'--pkgdir={REPOSITORY}', '--package=synthetic_dataset',
                f'--results-base-dir={folder}', f'--results-filename={file.stem}.xml', str(file)]
     return Part(file.stem, command, folder, file.parent)
 
 
 def all_parts(workspace, chosen, with_long, environment, results):
-    """All that is to run, what takes longest first."""
+    """All parts to run, the longest first."""
     patterns, launch_tests = ([], set()) if with_long else long_tests()
     tests = '-' + ':'.join(patterns) if patterns else '*'
     parts = []
@@ -137,7 +137,7 @@ def count(part, ended_well):
             counts[result] += 1
         lines += [f"{case.get('classname')}.{case.get('name')}"
                   for case, result in zip(cases, outcomes) if result == 'failed']
-        # Parts of a test (Python's subTest) that fail are counted in the head alone.
+        # Failed parts of a test (Python's subTest) are only counted in the root element.
         counted = int(root.get('failures', 0)) + int(root.get('errors', 0))
         if counted > outcomes.count('failed'):
             lines.append(f'{counted} by its own count')
@@ -157,12 +157,12 @@ def main():
     parser.add_argument('--all', action='store_true', help='also what takes long')
     parser.add_argument('--repeat', type=int, default=1, metavar='N', help='run all of it N times')
     arguments = parser.parse_intermixed_args()
-    # A shell that runs this in the background has signals ignored that tests send to programs.
+    # If a shell runs this in the background, SIGINT is ignored, which tests send to programs.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     results = arguments.workspace / 'build/test_results'
     shutil.rmtree(results, ignore_errors=True)
     results.mkdir(parents=True)
-    # Programs run beside one another, so each has one thread to draw with.
+    # Programs run in parallel, so each gets only one thread to draw with.
     environment = {**os.environ, 'LP_NUM_THREADS': '1', 'OMP_NUM_THREADS': '1'}
     sums = {'passed': 0, 'failed': 0, 'skipped': 0}
     everything = results

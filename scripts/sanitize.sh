@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Runs the unit tests under clang's sanitizers; exit code 0 only if all pass and nothing is reported.
 #   ./scripts/sanitize.sh [address|thread|all] [--seconds N] [PROGRAM...]
-# address: every test program, or those that are named ("test_motion"), under AddressSanitizer (with leaks) and
+# address: every test program, or only those named ("test_motion"), under AddressSanitizer (with leaks) and
 #   UndefinedBehaviorSanitizer.
-# thread:  the programs in which threads work, under ThreadSanitizer.
+# thread:  the programs that use threads, under ThreadSanitizer.
 # --seconds: no further program is built after this time, and the script says which are left.
-# The builds and each program's log lie beside the workspace (scripts/workspace.sh). What is known
-# of other people's libraries, and no fault of this code, is named in sanitizers/*.txt.
+# The builds and each program's log are beside the workspace (scripts/workspace.sh). sanitizers/*.txt list
+# known reports about third-party libraries, which are not faults of this code.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -17,10 +17,10 @@ shift || true
 end=
 if [ "${1:-}" = --seconds ]; then end=$((SECONDS + $2)) && shift 2; fi
 
-# The test programs in which threads work; more code with threads, more names here.
+# The test programs that use threads; to be extended when other code uses threads.
 threaded=(test_output)
-# Comparisons by brute force run what other tests run, too, and would take half of the time. Where time is short, whole
-# runs are left out as well, and of a test of many lenses all but a polynomial one and a fisheye.
+# Comparisons by brute force run the same code as other tests, and would take half of the time. If time is limited, whole
+# runs are left out as well, and tests over many lenses run only with a polynomial one and a fisheye.
 long_tests=$(cat "$repository/test/long_tests.txt")
 if [ -n "$end" ]; then
   long_tests+=$(printf '\n*/%s' rational tilted_prism omnidirectional double_sphere fisheye_170 narrow_fisheye wide_plumb_bob)
@@ -29,7 +29,7 @@ else
 fi
 GTEST_FILTER="-$(grep -E '^[^#]*[.*]' <<<"$long_tests" | paste -sd:)"
 export GTEST_FILTER
-# In the order of the rooms: a program needs what those before it needed.
+# In the order of the rooms: a program links the libraries of those before it, which are then built already.
 mapfile -t every < <(grep -oP '^add_subdirectory\(\K\w+' "$repository/test/CMakeLists.txt" | while read -r room; do
   grep -qs 'synthetic_dataset_test(' "$repository/test/$room/CMakeLists.txt" && echo "test_$room"; done)
 if [ $# -gt 0 ]; then
@@ -37,7 +37,7 @@ if [ $# -gt 0 ]; then
 fi
 
 "$here/install_dependencies.sh" clang libclang-rt-14-dev llvm-14
-# What users' machines have in these must not change the result.
+# A user's own values of these must not change the result.
 unset GAZEBO_MODEL_PATH GZ_SIM_RESOURCE_PATH IGN_GAZEBO_RESOURCE_PATH SDF_PATH GAZEBO_RESOURCE_PATH
 export ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1:strict_init_order=1:check_initialization_order=1
 export LSAN_OPTIONS=print_suppressions=0:suppressions=$here/sanitizers/leaks.txt
@@ -60,7 +60,7 @@ configure() {  # KIND FLAGS
     { tail -20 "$folder/logs/configure.log"; exit 1; }
 }
 
-# One line for a program, which runs in as many parts as there are cores, and the log's end where something is wrong.
+# Runs a program in as many parts as there are cores; prints one line, and part of the log if something is wrong.
 run() {  # FOLDER PROGRAM
   local log=$1/logs/$2.log start=$SECONDS status=0 passed failed scratch parts=() part
   scratch=$(mktemp -d)
@@ -75,14 +75,14 @@ run() {  # FOLDER PROGRAM
   rm -rf "$scratch"
   passed=$(grep -c '^\[       OK \]' "$log" || true)
   failed=$(grep -c '^\[  FAILED  \] .* ms)$' "$log" || true)
-  [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1  # it died, or something is reported at its end
+  [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1  # it crashed, or something was reported at its end
   printf '%-22s %5s passed %3s failed %5s s\n' "$2" "$passed" "$failed" $((SECONDS - start))
   [ "$failed" -gt 0 ] || return 0
   grep -E -m 3 -A 25 ': Failure$|ERROR: |WARNING: |runtime error: ' "$log" || tail -5 "$log"
   echo "  see $log"
 }
 
-# Each program runs while the next is built.
+# Runs each program while the next one is built.
 run_all() {  # KIND PROGRAMS...
   local folder program done=()
   folder=$(folder_of "$1")

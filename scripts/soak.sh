@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes a dataset of many small scenes, and fails where memory or open descriptors grow:
+# Makes a dataset of many small scenes, and fails if memory use or open file descriptors grow:
 #   ./scripts/soak.sh [SCENES]
-# Without SCENES, 100,000.
+# 100,000 scenes by default.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

@@ -1,11 +1,11 @@
-# Sourced after workspace.sh: other releases of Debian, each a folder in which programs run as if it
-# were the machine's root. debootstrap makes them from Debian's mirror; they are kept with all that
-# is installed and built in them.
+# Sourced after workspace.sh: other releases of Debian, each in a folder in which programs run as if
+# it were the machine's root. debootstrap makes them from Debian's mirror; they are kept with
+# everything that is installed and built in them.
 
 systems=${XDG_CACHE_HOME:-$HOME/.cache}/synthetic_dataset/systems
 mirror=${SYNTHETIC_DATASET_MIRROR:-http://deb.debian.org/debian}
 
-# Prints why this machine cannot have other systems; nothing when it can.
+# Prints why other systems cannot be made on this machine; nothing if they can.
 systems_problem() {
   if [ "$(id -u)" -ne 0 ]; then
     echo "only root can make them"
@@ -16,7 +16,7 @@ systems_problem() {
   fi
 }
 
-# make_system NAME [RELEASE]: a bare system, unless it is there.
+# make_system NAME [RELEASE]: makes a bare system, unless it exists.
 make_system() {
   local root=$systems/$1 release=${2:-$1}
   [ ! -d "$root" ] || return 0
@@ -24,7 +24,7 @@ make_system() {
   echo "Making a bare $release in $root"
   rm -rf "$root.new"
   mkdir -p "$root.new/etc/dpkg/dpkg.cfg.d"
-  # What is lost when the machine stops is made anew, so dpkg need not wait for the disk.
+  # Whatever is lost in a crash can be made again, so dpkg need not wait for the disk.
   echo force-unsafe-io >"$root.new/etc/dpkg/dpkg.cfg.d/unsafe-io"
   debootstrap --variant=minbase "$release" "$root.new" "$mirror" >"$root.log" 2>&1 || {
     tail -n 20 "$root.log"
@@ -33,8 +33,8 @@ make_system() {
   mv "$root.new" "$root"
 }
 
-# in_system NAME FOLDER COMMAND...: runs a command there, which sees the repository as /repository,
-# read-only, and the folder by its own name.
+# in_system NAME FOLDER COMMAND...: runs a command in a system, where the repository is /repository,
+# read-only, and FOLDER has its own name.
 in_system() {
   local root=$systems/$1
   mkdir -p "$root/repository" "$2" "$root$2"

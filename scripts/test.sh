@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests; exit code 0 only if all pass.
 #   ./scripts/test.sh [--all]
-# Without --all, what takes long is left out (test/long_tests.txt): comparisons by brute force, most runs of whole
-# programs. CONTRIBUTING.md names the tests that need more than what is installed here.
+# Without --all, long tests are left out (test/long_tests.txt): comparisons by brute force, most runs of whole
+# programs. CONTRIBUTING.md names the tests that need more than this script installs.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

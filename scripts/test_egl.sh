@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws with both of the ways to Mesa's llvmpipe that are built in, OSMesa and EGL: runs the tests of the renderer with
-# EGL, makes the bundled example with each, and compares all bytes.
+# Draws with both of the platforms that give access to Mesa's llvmpipe, OSMesa and EGL: runs the renderer's tests with
+# EGL, makes the bundled example with each platform, and compares all bytes.
 #   ./scripts/test_egl.sh
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes faults happen to the program `generate`, and compares what comes of it with an unbroken run:
+# Provokes faults in the program `generate`, and compares the result with that of an unbroken run:
 #   ./scripts/test_faults.sh [--trials PERCENT] [--seed SEED] [--write-table] [FAMILY...]
-# --trials: how many, in per cent of the usual number. --seed: other moments and inputs. --write-table: puts what was measured into
-# docs/reliability.md. A family is a file of test/faults. Disks are mounted where nobody else sees
+# --trials: how many, in per cent of the usual number. --seed: other moments and inputs. --write-table: puts the results into
+# docs/reliability.md. A family is a file of test/faults. Disks are mounted where no other process sees
 # them: as root, or in a user namespace.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Loads datasets of every format with the formats' own loaders and compares with the truth, reads bags of ROS 2, and
-# runs the programs in docs/python.md:
+# Loads datasets of every format with the formats' own loaders and compares them with the ground truth, reads ROS 2
+# bags, and runs the programs in docs/python.md:
 #   ./scripts/test_loaders.sh [FOLDER [FORMAT...]]
-# FOLDER keeps the datasets; without it they are removed. OPENPCDET names a clone of OpenPCDet, if its own preparation
-# is to run. The loaders are installed once, into a
+# The datasets stay in FOLDER; without FOLDER they are removed. OPENPCDET names a clone of OpenPCDet, if its own
+# data preparation is to run. The loaders are installed once, into a
 # virtual environment below ~/.cache; after that no network is needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Opens preview.launch with a real RViz, on a display in memory, and looks at the screen:
+# Opens preview.launch with a real RViz, on a virtual display, and looks at the screen:
 #   ./scripts/test_preview.sh [FOLDER]
-# FOLDER gets the screenshots; without it they are removed.
+# The screenshots stay in FOLDER; without FOLDER they are removed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -14,6 +14,6 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 folder=${1:-$scratch}
 mkdir -p "$folder"
-# A master of its own, so that no other one has a part in it.
+# A ROS master of its own, so that no other one interferes.
 export ROS_MASTER_URI=http://localhost:11398
 /usr/bin/python3 "$repository/test/preview/rviz_test.py" "$(cd "$folder" && pwd)"

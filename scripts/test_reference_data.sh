@@ -8,7 +8,7 @@ source "$here/workspace.sh"
 SYNTHETIC_DATASET_REFERENCE=$(realpath "$1")
 export SYNTHETIC_DATASET_REFERENCE
 
-# A second opinion on worlds, where there is one.
+# A second opinion on worlds, if it is packaged.
 if apt-cache show libsdformat-dev >/dev/null 2>&1; then
   "$here/install_dependencies.sh" libsdformat-dev
   [ ! -d "$workspace/build" ] || flock "$workspace" cmake "$workspace/build" >/dev/null

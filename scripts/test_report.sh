@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes the page of the bundled example's dataset and looks at it in headless Chromium:
+# Makes the report of the dataset of config/example_motions.yaml and tests it in headless Chromium:
 #   ./scripts/test_report.sh [FOLDER]
-# FOLDER gets the page and its screenshots; without it they are removed.
+# The page and its screenshots stay in FOLDER; without FOLDER they are removed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes datasets of bags of ROS 2 that are conversions of the example's bags, of each kind of storage and compression,
-# and compares all their bytes with those of the ROS 1 bags; with --times, also how long an hour of TF takes:
+# Converts the example's bags to ROS 2 bags of each kind of storage and compression, makes datasets from them, and
+# compares all bytes with those made from the ROS 1 bags; with --times, also how long an hour of TF takes:
 #   ./scripts/test_ros2_bags.sh [--times] [FOLDER]
-# FOLDER keeps bags and datasets; without it they are removed. rosbags is installed once, into a virtual environment
-# below ~/.cache; after that no network is needed.
+# Bags and datasets stay in FOLDER; without FOLDER they are removed. rosbags is installed once, into a virtual
+# environment below ~/.cache; after that no network is needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

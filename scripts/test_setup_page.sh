@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Uses the page of setup_assistant in headless Chromium as a user does:
 #   ./scripts/test_setup_page.sh [FOLDER]
-# FOLDER gets screenshots of all panes; without it they are removed.
+# Screenshots of all panes stay in FOLDER; without FOLDER they are removed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Makes the example's dataset with a real Slurm of two nodes on this machine: a task's program is
-# killed, one is asked to stop, a node fails, and the merged dataset must be a single run's byte for byte.
+# killed, one is asked to stop, a node fails, and the merged dataset must equal a single run's.
 #   ./scripts/test_slurm.sh
-# A Slurm that the machine may have is left alone. What is made is removed, unless something fails.
+# A Slurm already on this machine is not touched. All files are removed, unless something fails.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
 source "$here/workspace.sh"
 # shellcheck source=../test/slurm/cluster.bash
 source "$repository/test/slurm/cluster.bash"
-time_limit=900  # [s], of all that follows on building; some 100 on an idle machine
+time_limit=900  # [s], for everything after the build; it takes some 100 s on an idle machine
 
 if [ "${1:-}" != --built ]; then
   "$here/install_dependencies.sh" slurm-wlm munge
@@ -30,7 +30,7 @@ check() {
   fi
 }
 
-# A check without which those that follow make no sense.
+# A check without which the following ones make no sense.
 require() {
   local before=$failed
   check "$@"
@@ -74,7 +74,7 @@ job_has_ended() {
   [[ $(fact_of_job "$1" JobState) =~ ^(COMPLETED|FAILED|CANCELLED|TIMEOUT)$ ]]
 }
 
-# begun DATASET INDEX COUNT: whether the shard has a scene and yet lacks one.
+# begun DATASET INDEX COUNT: whether the shard has a scene but is not complete.
 begun() {
   /usr/bin/python3 - "$1/manifest.shard-$2-of-$3.sqlite" 2>/dev/null <<'END'
 import sqlite3
@@ -86,7 +86,7 @@ sys.exit(0 if scenes > 0 and state != 'complete' else 1)
 END
 }
 
-# program_of DATASET INDEX: the process that makes this shard.
+# program_of DATASET INDEX: prints the process that makes this shard.
 program_of() {
   pgrep -o -f -- "^[^ ]*/generate .*output_folder:='$1' shard/index:=$2 "
 }
@@ -95,7 +95,7 @@ signal_program() {
   kill "-$1" "$(program_of "$2" "$3")"
 }
 
-# Some formats list absolute paths: all datasets are made in the same folder, and then moved.
+# Some formats list absolute paths: all datasets are made in the same folder and then moved.
 single_run() {
   timeout 300 "$programs/generate" --config "$config" "${settings[@]}" \
     output_folder:="'$dataset'" &>"$folder/single.log" && mv "$dataset" "$folder/single"
@@ -105,7 +105,7 @@ indices_on() {
   squeue --noheader --states=RUNNING --jobs="$array" --nodelist="$1" --format=%K
 }
 
-# One program is killed, one task asked to stop, and the other two lose their node.
+# One program is killed, one task is asked to stop, and the other two lose their node.
 four_shards_that_are_all_cut_short() {
   local index
   require "four shards are submitted" \
@@ -167,11 +167,11 @@ restarts_are_bounded() {
     "$folder/bounded-logs/generate-${array}_0.log"
 }
 
-# Not below TMPDIR: the name of a socket has at most 107 characters.
+# Not below TMPDIR: the path of a socket has at most 107 characters.
 folder=$(mktemp -d /tmp/synthetic_dataset_slurm.XXXXXX)
 dataset="$folder/the dataset"
 mkdir "$folder/tmp"
-export TMPDIR=$folder/tmp  # what is left of tasks whose node fails
+export TMPDIR=$folder/tmp  # for the leftovers of tasks whose node fails
 trap finish EXIT
 trap 'exit 143' TERM INT HUP
 require "a Slurm of two nodes starts" start_cluster "$folder/cluster"

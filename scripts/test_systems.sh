@@ -2,9 +2,9 @@
 # Makes the bundled example on other releases of Debian, as a user of a bare system does, and
 # compares its files with those that are made here.
 #   ./scripts/test_systems.sh [--tests|--prepare] [bullseye|trixie]...    both by default
-# --tests runs every test there as well; --prepare only installs what is needed, while something else
-# has the processor. Each takes some 15 minutes when it is new, and 3 GB in
-# ~/.cache/synthetic_dataset/systems; only root can do it.
+# --tests runs all tests there as well; --prepare only installs what is needed, while something else
+# uses the processor. Each release takes some 15 minutes the first time, and 3 GB in
+# ~/.cache/synthetic_dataset/systems; only root can run this.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -43,7 +43,7 @@ mkdir -p "$exchange"
 "$here/install_dependencies.sh"
 build_workspace
 use_workspace
-# Each is made under the same name, which some formats write into their lists.
+# All datasets are made under the same path, which some formats write into their lists.
 example=$exchange/example
 rosrun synthetic_dataset generate --config "$repository/config/example.yaml" \
   output_folder:="$example" >"$exchange/here.log" 2>&1 || { tail -n 20 "$exchange/here.log"; exit 1; }
@@ -55,7 +55,7 @@ for name in "${names[@]}"; do
   start=$SECONDS
   rm -rf "$example"
   make_system "$name"
-  # A port of its own, so that no ROS master of this machine has a part in it.
+  # A port of its own, so that no ROS master on this machine interferes.
   in_system "$name" "$exchange" env ROS_MASTER_URI=http://localhost:11399 \
     /repository/scripts/demo.sh "$example" >"$exchange/$name.log" 2>&1 || {
     tail -n 40 "$exchange/$name.log"
@@ -64,7 +64,7 @@ for name in "${names[@]}"; do
     continue
   }
   mv "$example" "$exchange/$name"
-  # Mesa 20 rounds some pixels otherwise than Mesa 22.
+  # Mesa 20 rounds some pixels differently from Mesa 22.
   rounding=0
   [ "$name" != bullseye ] || rounding=0.001
   "$here/compare_datasets.py" --rounding "$rounding" "$exchange/here" "$exchange/$name" || failed=1

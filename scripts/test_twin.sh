@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Labels pictures of a Husky, an arm and a quadruped that PyBullet has drawn, from bags with TF and CameraInfo, and
-# compares the masks with PyBullet's own segmentation:
+# Labels PyBullet's pictures of a Husky, an arm and a quadruped, from bags with TF and CameraInfo, and compares the
+# masks with PyBullet's own segmentation:
 #   ./scripts/test_twin.sh [FOLDER]
-# FOLDER keeps bags and datasets; without it they are removed. PyBullet is installed once, into a virtual
+# Bags and datasets stay in FOLDER; without FOLDER they are removed. PyBullet is installed once, into a virtual
 # environment below ~/.cache; after that no network is needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

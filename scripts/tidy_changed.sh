@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Runs clang-tidy on what differs from a commit: sources of src/ and plugins/, and of these, and of headers that they
-# include, the lines that differ. Exit code 1 if there is a finding.
+# Runs clang-tidy on the sources of src/ and plugins/ that differ from a commit, and reports findings in lines that
+# differ, in these sources and in headers that they include. Exit code 1 if there is a finding.
 #   ./scripts/tidy_changed.sh [BASE [SECONDS]]
-# BASE: a commit or branch; by default main, and for main itself the commit before.
-# SECONDS: no further file is begun after this time, and the script says how many are left; 150 by default.
+# BASE: a commit or branch; by default main, and on main itself the previous commit.
+# SECONDS: no further file is started after this time, and the script says how many are left; 150 by default.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=workspace.sh
@@ -12,7 +12,7 @@ cd "$repository"
 
 base=$(git merge-base "${1:-main}" HEAD)
 [ "$base" != "$(git rev-parse HEAD)" ] || base=$(git rev-parse HEAD~1)
-# clang-tidy's --line-filter, of lines that were added or changed; files that only moved have none.
+# clang-tidy's --line-filter, with the lines that were added or changed; files that only moved have none.
 lines=$(git diff --find-renames --unified=0 "$base" -- include src plugins | python3 -c '
 import json, re, sys
 files = []
@@ -29,7 +29,7 @@ echo "clang-tidy: ${#files[@]} sources differ from $(git log -1 --format='%h, %s
 [ ${#files[@]} -gt 0 ] || exit 0
 
 command -v clang-tidy >/dev/null || "$here/install_dependencies.sh" clang-tidy
-# Configured by itself: clang reads neither GCC's precompiled headers nor files that a unity build makes.
+# A separate build folder: clang reads neither GCC's precompiled headers nor the files of a unity build.
 mkdir -p "$workspace-tidy"
 cmake -S "$repository" -B "$workspace-tidy" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DSYNTHETIC_DATASET_UNITY=OFF \
   -DSYNTHETIC_DATASET_PRECOMPILE=OFF -DPYTHON_EXECUTABLE=/usr/bin/python3 \

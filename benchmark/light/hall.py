@@ -1,8 +1,8 @@
-"""The bundled hall for a program that reads no SDF: its surfaces, its lights, and where all of it is at an instant.
+"""The bundled hall for a program that does not read SDF: its surfaces, its lights, and all poses at an instant.
 
-Of SDF what the hall's files have is read, and an error says what else is found. The same numbers mean what they
-mean to gz-sim (docs/models.md): colours of surfaces are sRGB-encoded, those of lights are linear; a matte white
-surface that faces a light of intensity 1 is just white.
+Reads only the parts of SDF that the hall's files use; anything else is an error. Numbers have the same meaning as in
+gz-sim (docs/models.md): colours of surfaces are sRGB-encoded, those of lights are linear; a matte white surface that
+faces a light of intensity 1 is exactly white.
 """
 
 import math
@@ -16,7 +16,7 @@ from PIL import Image
 
 LIGHT_TYPES = ("directional", "point", "spot")
 GEOMETRIES = ("mesh",)
-STACKED = 0.2  # [m]: a prop whose origin is so close to another's, from above, lies on it
+STACKED = 0.2  # [m]: a prop whose origin is this close to another's, seen from above, lies on it
 
 
 def linear(encoded):
@@ -28,13 +28,13 @@ def linear(encoded):
 class Material:
     base: np.ndarray = field(default_factory=lambda: np.ones(3))  # linear
     picture: str = ""
-    strength: float = 0.5  # of SDF's specular
+    strength: float = 0.5  # from SDF's specular
     roughness: float = 0.5
     metalness: float = 0.0
     glow: np.ndarray = field(default_factory=lambda: np.zeros(3))
 
     def colours(self):
-        """The picture times the colour, linear, one row of one pixel where there is no picture."""
+        """The picture times the colour, linear; a single pixel if there is no picture."""
         if not self.picture:
             return self.base.reshape(1, 1, 3)
         with Image.open(self.picture) as picture:
@@ -46,9 +46,9 @@ class Surface:
     owner: str  # the model's name
     casts_shadows: bool
     material: Material
-    points: np.ndarray  # of each triangle's three corners, in the world
+    points: np.ndarray  # the three corners of each triangle, in the world
     normals: np.ndarray
-    places: np.ndarray  # of the picture, from its upper left corner
+    places: np.ndarray  # texture coordinates, from the picture's upper left corner
 
 
 @dataclass
@@ -68,7 +68,7 @@ def numbers(text):
 
 
 def pose_of(element):
-    """X_PE of an element with a <pose>."""
+    """X_PE, the pose of an element in its parent, from its <pose>."""
     found = element.find("pose")
     if found is not None and found.attrib:
         raise ValueError(f"<pose>: found {found.attrib}; only poses without attributes are read here")
@@ -84,7 +84,7 @@ def flag(element, name, usual):
 
 
 class Models:
-    """The files that a world names."""
+    """The models and meshes that a world refers to."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -99,7 +99,7 @@ class Models:
         return xml.parse(self.path(include.findtext("uri").strip()) + "/model.sdf").getroot().find("model")
 
     def mesh(self, uri):
-        """A list of (material, points, normals, places) of an OBJ file."""
+        """A list of (material, points, normals, places) from an OBJ file."""
         if uri not in self.meshes:
             self.meshes[uri] = read_obj(self.path(uri))
         return self.meshes[uri]
@@ -119,7 +119,7 @@ def read_materials(path):
                 material.glow = linear([float(each) for each in words[1:4]])
             elif words[0] == "Ks":
                 material.strength = max(float(each) for each in words[1:4])
-            elif words[0] == "Ns":  # as wide a highlight: Walter et al. 2007, section 5.2
+            elif words[0] == "Ns":  # an equally wide highlight: Walter et al. 2007, section 5.2
                 material.roughness = (2.0 / (float(words[1]) + 2.0)) ** 0.25
             elif words[0] == "map_Kd":
                 material.picture = f"{os.path.dirname(path)}/{words[1]}"
@@ -151,7 +151,7 @@ def read_obj(path):
 
 
 def material_of(visual, models):
-    """What a visual says instead of its mesh's materials; none if it says nothing."""
+    """The material with which a visual overrides those of its mesh, or None."""
     element = visual.find("material")
     if element is None:
         return None
@@ -170,7 +170,7 @@ def material_of(visual, models):
 
 
 def surfaces_of(model, name, X_WM, models, X_WL):
-    """@param X_WL  a function: where a link is, by its name, or none where the model's file tells"""
+    """@param X_WL  a function: a link's pose by its name, or None if the model's file gives it"""
     for link in model.iter("link"):
         known = X_WL(link.get("name"))
         X_link = X_WM @ pose_of(link) if known is None else known
@@ -203,11 +203,11 @@ def light_of(element):
 
 
 def settle(source, target, models, objects):
-    """Writes the world with its props at rest, upright, on the floor or on each other: where physics
-    takes them is in no file of a dataset."""
+    """Writes the world with its props at rest, upright, on the floor or on each other: no file of a
+    dataset says where physics moves them."""
     tree = xml.parse(source)
     world = tree.getroot().find("world")
-    tops = []  # of props: x, y, height
+    tops = []  # x, y, height of each prop
     for include in world.iter("include"):
         model = models.model(include)
         name = include.findtext("name", model.get("name"))
@@ -224,7 +224,7 @@ def settle(source, target, models, objects):
 
 
 class World:
-    """@param X_W  a function: where objects' models and links are, by model and link ("" for the model itself)"""
+    """@param X_W  a function: poses of objects and links by model and link ("" for the model itself), or None"""
 
     def __init__(self, file, models, X_W):
         world = xml.parse(file).getroot().find("world")
@@ -241,7 +241,7 @@ class World:
 
 
 class Recording:
-    """The poses of a bag's TF, between its stamps as tf2 finds them."""
+    """The poses in a bag's TF, interpolated between stamps as in tf2."""
 
     def __init__(self, file):
         import rosbag
@@ -257,7 +257,7 @@ class Recording:
         self.known = {frame: sorted(each) for frame, each in known.items()}
 
     def at(self, frame, stamp):
-        """X_WF; the world is the root of all frames. None for a frame that is not there."""
+        """X_WF; the world is the root of all frames. None if the frame does not exist."""
         if frame not in self.known:
             return None
         X_WP = self.at(self.parents[frame], stamp)
@@ -284,7 +284,7 @@ def between(first, second, share):
 
 
 def matrix(x, y, z, qx, qy, qz, qw):
-    """Of a position and a unit quaternion."""
+    """The pose with a position and a unit quaternion."""
     return np.array([
         [1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy - qz * qw), 2 * (qx * qz + qy * qw), x],
         [2 * (qx * qy + qz * qw), 1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz - qx * qw), y],

@@ -1,18 +1,18 @@
-"""The bundled hall's light, beside that of a path tracer (Mitsuba 3): pictures, and how much they differ.
+"""Compares the bundled hall's light with that of a path tracer (Mitsuba 3): pictures, and how much they differ.
 
   path_tracer.py PROGRAMS RESULTS [SETTING:=VALUE ...] [--also SETTING:=VALUE ...] [--samples 256] [--scene 6]
                  [--sun 0.53] [--beside NAME=PICTURE ...]
 
 PROGRAMS is the folder `lib` of a workspace's devel space. `generate` draws one scene of the bundled example with
-the given settings; for each --also, once more with that setting. The path tracer takes the camera and the
-objects' poses from its manifest, all else from the world's files: it does not know settings that change materials,
-lights or the sensor. Props stand upright on the floor in both. --beside adds a picture that another
-program, such as Gazebo, has made of RESULTS/still.sdf from the same camera.
+the given settings; for each --also, once more with that setting. The path tracer takes the camera and the objects'
+poses from the manifest, everything else from the world's files: it ignores settings that change materials, lights or
+the sensor. Props stand upright on the floor in both. --beside adds a picture that another program, such as Gazebo,
+has made of RESULTS/still.sdf with the same camera.
 
-RESULTS gets the pictures, sheet.png and sheet.jpg (all side by side, below them a detail), edges.png (the outlines
-that the path tracer's rays find, drawn on our picture), and figures.json. Its figures are in grey levels of 255: the
-mean absolute difference to the path tracer's picture, and by how much a picture is brighter. `noise` is the mean
-absolute error that the path tracer's own noise makes.
+RESULTS gets the pictures, sheet.png and sheet.jpg (all side by side, with a detail below each), edges.png (the
+outlines that the path tracer's rays find, drawn on our picture), and figures.json. Its figures are in grey levels of
+255: the mean absolute difference from the path tracer's picture, and by how much a picture is brighter. `noise` is
+the mean absolute error due to the path tracer's own noise.
 
 Needs requirements.txt, python3-rosbag and LLVM 17 or newer.
 """
@@ -31,11 +31,11 @@ from PIL import Image, ImageDraw
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = os.path.realpath(f"{HERE}/../..")
-NEAR = 0.3  # [m] of the floor around things
+NEAR = 0.3  # [m], the width of the floor around things
 FLOOR_BELOW = 0.05  # [m]
-REACHES_DOWN = 0.3  # [m] above the floor: what is higher up keeps little light from it
+REACHES_DOWN = 0.3  # [m] above the floor: things higher up block little of its light
 LARGEST_JPEG = 120_000  # [byte]
-PICTURES_OF = "bounding_shape"  # the example's format that has the picture as PNG
+PICTURES_OF = "bounding_shape"  # the example's writer that has the picture as PNG
 OURS = "ours"
 TRACED = "path tracer"
 
@@ -82,7 +82,7 @@ def pose_in(row):
 
 
 def mask_of(blob, height, width):
-    """As docs/manifest.md has it: a box, then how many of its pixels are off, on, off, ..."""
+    """Decodes a mask of the manifest (docs/manifest.md): a box, then how many of its pixels are off, on, off, ..."""
     numbers, value, shift = [], 0, 0
     for byte in blob or b"":
         value |= (byte & 127) << shift
@@ -111,7 +111,7 @@ def world_at(manifest, file, models):
 
 
 def write_still(source, target, objects):
-    """The world with objects where they are, for what knows no recording."""
+    """Writes the world with the objects at their poses, for programs that read no recording."""
     tree = xml.parse(source)
     for include in tree.getroot().iter("include"):
         X = objects.get(include.findtext("name"))
@@ -124,13 +124,13 @@ def write_still(source, target, objects):
 
 
 def encoded(light):
-    """As our pictures are made of light: bending towards white above 0.8, then sRGB."""
+    """Converts light to pixels as our pictures do: compressed towards white above 0.8, then sRGB."""
     light = np.where(light > 0.8, 1.0 - 0.2 * np.exp((0.8 - light) / 0.2), light)
     return np.rint(255.0 * np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055))
 
 
 def near_things(centres, surfaces):
-    """Floor that is seen within NEAR of what casts shadows and reaches down to it, by its corners."""
+    """The visible floor within NEAR of corners of things that cast shadows and reach down to it."""
     points = np.concatenate([each.points for each in surfaces if each.casts_shadows])
     floor = centres["floor"] & (centres["point"][:, :, 2] < FLOOR_BELOW)
     low = np.unique(points[points[:, 2] < REACHES_DOWN][:, :2].round(2), axis=0)
@@ -160,7 +160,7 @@ def figures_of(picture, traced, regions):
 
 
 def agreement(centres, owners, manifest):
-    """Of pixels of objects, how many are of the same object by our labels and by the path tracer's rays."""
+    """For pixels of objects, how many show the same object by our labels and by the path tracer's rays."""
     same = either = 0
     for name, mask in manifest.masks.items():
         rays = centres["owner"] == owners.index(name)
@@ -184,7 +184,7 @@ def edges(picture, centres):
 
 
 def detail_box(mask):
-    """Around an object, with as much again of what is near it, in the picture's shape."""
+    """A box around an object and its surroundings, with the picture's aspect ratio."""
     rows, columns = np.nonzero(mask)
     height, width = mask.shape
     size = min(1.8 * max(np.ptp(columns) / width, np.ptp(rows) / height), 1.0)
@@ -206,7 +206,7 @@ def sheet(pictures, box):
 
 
 def write_small(picture, file):
-    """As a JPEG with at most 640 columns for each of the pictures side by side."""
+    """Writes a JPEG with at most 1280 columns and, if possible, at most LARGEST_JPEG bytes."""
     width = min(picture.width, 1280)
     picture = picture.resize((width, picture.height * width // picture.width), Image.LANCZOS)
     for quality in range(85, 20, -5):

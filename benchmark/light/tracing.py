@@ -1,10 +1,10 @@
-"""A world's light by path tracing, with Mitsuba 3's rays and pictures and the materials and lights of gz-sim.
+"""A world's light by path tracing, with Mitsuba 3's rays and textures and the materials and lights of gz-sim.
 
 Surfaces reflect light as in src/render/light/surface_shading.*, and lights fall off as there. So the pictures
-differ in what happens to light on its way: where ambient light does not reach, and what surfaces send on.
-Ambient light comes from all directions. A surface with nothing near it gets as much of it as in that file.
-What casts no shadow keeps no light out: a ray that has left a surface and meets such a thing sees the ambient
-light behind it, except where it faces up: that is a floor.
+differ only in the transport of light: where ambient light does not reach, and light that surfaces pass on.
+Ambient light comes from all directions. A surface with nothing near it receives as much of it as in that file.
+Things that cast no shadows block no light: a ray that has left a surface and hits such a thing sees the ambient
+light behind it, unless the surface that it hits faces up and so counts as a floor.
 """
 
 import math
@@ -17,9 +17,9 @@ mi.set_variant("llvm_ad_rgb")
 
 BOUNCES = 5
 SAMPLES_AT_ONCE = 8
-FACES_UP = 0.5  # the normal's z from which a surface is a floor
-# Ambient light from a direction with this z is ambient * (LEVEL + SLOPE * z): of a surface with normal n, the
-# mean weighted by the cosine is LEVEL + 2 / 3 SLOPE n.z, from 0.55 below to 1 above.
+FACES_UP = 0.5  # the normal's z from which a surface counts as a floor
+# Ambient light from a direction (x, y, z) is ambient * (LEVEL + SLOPE * z). For a surface with normal n, the
+# cosine-weighted mean is LEVEL + 2 / 3 SLOPE n.z: 0.55 if it faces down, 1 if it faces up.
 LEVEL, SLOPE = 0.775, 0.3375
 
 
@@ -57,7 +57,7 @@ def mix(a, b, share):
 
 
 class Hit:
-    """What a ray meets, and how that answers light."""
+    """The surface that a ray hits, and how it reflects light."""
 
     def __init__(self, scene, ray, active):
         si = self.si = scene.ray_intersect(ray, active)
@@ -90,7 +90,7 @@ class Hit:
         return self.matte + fresnel * (0.5 * a2 / (bell * bell * rough))
 
     def sample(self, choice, place):
-        """A direction, and BRDF times cosine by its probability."""
+        """A direction, the BRDF times the cosine divided by its probability density, and whether it is valid."""
         shiny = mix(0.2, 1.0, self.metalness)
         frame = mi.Frame3f(self.normal)
         spread = frame.to_world(mi.warp.square_to_cosine_hemisphere(place))
@@ -113,7 +113,7 @@ class Hit:
 
 
 class Tracer:
-    """@param sun  the diameter of directional lights [degree], which SDF does not say"""
+    """@param sun  the diameter of directional lights [degree], which SDF does not give"""
 
     def __init__(self, world, sun):
         self.sun_radius = math.tan(math.radians(sun / 2.0))
@@ -124,7 +124,7 @@ class Tracer:
         self.world = world
 
     def direct(self, lights, hit, active, place=None):
-        """What of lights a surface sends to the eye; of directional ones, from a place of their disc."""
+        """The direct light that a surface reflects to the eye; directional lights shine from a point on a disc."""
         result = mi.Color3f(0.0)
         for light in lights:
             falling = mi.Float(1.0)
@@ -174,7 +174,7 @@ class Tracer:
         return result
 
     def rays(self, camera, X_WC, offsets, count):
-        """Through pixels, whose centres have whole coordinates.
+        """Rays through pixels, whose centres have whole coordinates.
 
         @param offsets  of each ray from its pixel's centre [px]
         """
@@ -186,7 +186,7 @@ class Tracer:
         return mi.Ray3f(o=mi.Point3f(X_WC[:3, 3].tolist()), d=dr.normalize(way))
 
     def picture(self, camera, X_WC, samples):
-        """Linear light, rows of pixels; two pictures of half the samples each, whose difference tells the noise."""
+        """Two pictures with half of the samples each, in linear light; their difference shows the noise."""
         size = (camera["height"], camera["width"])
         halves = [np.zeros((*size, 3)), np.zeros((*size, 3))]
         passes = 2 * max(1, math.ceil(samples / SAMPLES_AT_ONCE / 2))
@@ -199,7 +199,7 @@ class Tracer:
         return tuple(half / (passes / 2) for half in halves)
 
     def centres(self, camera, X_WC):
-        """What pixels' centres see: the owner's index (-1: nothing), the point, if it is a floor, and in the sun."""
+        """What pixel centres see: the owner's index (-1: nothing), the point, whether it is floor, and in the sun."""
         size = (camera["height"], camera["width"])
         ray = self.rays(camera, X_WC, mi.Point2f(0.0), 1)
         hit = Hit(self.scene, ray, mi.Bool(True))

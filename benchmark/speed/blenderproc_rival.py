@@ -1,10 +1,10 @@
 """The room drawn by BlenderProc with Cycles: colour, depth and instances. BlenderProc writes COCO; depth is written
-as a PNG of 16 bits.
+as a 16-bit PNG.
 
   blenderproc_rival.py FOLDER SCENES SAMPLES     prints the seconds from the first scene to the last, as JSON
 
-With one sample a pixel nothing is denoised; with more, Intel's denoiser is used. The interpreter needs
-blenderproc_requirements.txt: BlenderProc, and Blender as a Python module instead of the Blender that it would fetch.
+With one sample per pixel nothing is denoised; with more, Intel's denoiser is used. The interpreter needs
+blenderproc_requirements.txt: BlenderProc, and Blender as a Python module instead of the one that it would download.
 """
 
 import importlib
@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 
-# BlenderProc's own start is made for the Python of the Blender that it fetches: it installs packages there, and
+# BlenderProc's start-up is made for the Python of the Blender that it downloads: it installs packages there, and
 # removes the folder of its own package from the path.
 os.environ["OUTSIDE_OF_THE_INTERNAL_BLENDER_PYTHON_ENVIRONMENT_BUT_IN_RUN_SCRIPT"] = "1"
 import bpy
@@ -33,12 +33,12 @@ import numpy as np
 from blenderproc.python.utility.Initializer import _Initializer
 
 DEPTH_UNIT = 0.001  # [m]
-# Blender's own sun of strength pi makes a white matte surface that faces it just white.
+# In Blender, a sun of strength pi makes a matte white surface that faces it exactly white.
 SUN_STRENGTH = np.pi
 
 
 def init():
-    """bproc.init(), which fails as Blender from PyPI has no languages to choose from."""
+    """Replaces bproc.init(), which fails as Blender from PyPI has no languages to choose from."""
     bproc.clean_up(clean_up_camera=True)
     bpy.context.scene.render.engine = "CYCLES"
     bproc.renderer.set_render_devices()
@@ -46,7 +46,7 @@ def init():
 
 
 def build(scene):
-    """The objects, in the room."""
+    """Builds the room, and returns the objects in it."""
     for name, size, centre, colour in scene["walls"]:
         wall = bproc.object.create_primitive("CUBE", scale=[each / 2 for each in size], location=centre)
         wall.set_cp("category_id", 0)
@@ -103,13 +103,13 @@ def main(folder, count, samples):
     pose[:3, :3], pose[:3, 3] = scene["rotation"], scene["camera"]
     pose = bproc.math.change_source_coordinate_frame_of_transformation_matrix(pose, ["X", "-Y", "-Z"])
     output = tempfile.mkdtemp(prefix="blenderproc_", dir=folder)
-    draw(scene, objects, pose, [0], output)  # for warming up
+    draw(scene, objects, pose, [0], output)  # a warm-up
     began, began_work = time.monotonic(), time.process_time()
     draw(scene, objects, pose, range(1, count + 1), output)
     print(json.dumps({"seconds": time.monotonic() - began,
                       "processor_seconds": time.process_time() - began_work,
                       "version": bproc.__version__, "blender": bpy.app.version_string}), flush=True)
-    os._exit(0)  # Blender as a module crashes as it is unloaded
+    os._exit(0)  # Blender as a module crashes when it is unloaded
 
 
 if __name__ == "__main__":

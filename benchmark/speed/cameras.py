@@ -1,14 +1,15 @@
-"""What real cameras cost beside a pinhole: lenses with distortion, motion blur, rolling shutters,
-background subtraction, several cameras, full light, many lamps, skies and panoramas, weather. Each is measured for a camera
-that stands, for one on a swinging mast, and one on a rover.
+"""Measures what real cameras cost compared with a pinhole: lens distortion, motion blur, rolling shutters,
+background subtraction, several cameras, full light, many lamps, skies and panoramas, weather. Each is measured for a
+camera that stands, one on a swinging mast, and one on a rover.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT] [--world FILE [--models FOLDER]]
 
-PROGRAM is `generate`. The bundled example at 640 x 480, COCO and Yolo, exact masks. The example's camera is on a mast,
-which pans there. Here it stands, or the camera rides on it as it swings by 0.3 m. One that drives is on a rover and looks
-to its right, where the others are. With --world, the example's objects and cameras are in this one, too. Measured are user processor time of an instant and the clock, camera after
-camera, several times over, so that what else runs on the machine matters little: for the clock, nothing else
-should run. RESULTS gets cameras.json and cameras.md.
+PROGRAM is `generate`. It makes the bundled example at 640 x 480, with COCO and Yolo and exact masks. In the example the
+camera is on a mast, which pans. Here the mast stands, or swings by 0.3 m with the camera on it (`rides`). A camera that
+drives is on a rover and looks to its right, where the other objects are. --world adds a row with the example's objects
+and cameras in that world. Measures user processor time and wall-clock time per instant, one camera after the other and
+several times over, so that other load on the machine matters little; for the wall-clock time, nothing else should run.
+RESULTS gets cameras.json and cameras.md.
 """
 
 import argparse
@@ -32,7 +33,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = os.path.realpath(f"{HERE}/../..")
 EXAMPLE = f"{PACKAGE}/config/example.yaml"
 RATE = 10.0  # [Hz]
-FEW, MANY = 1.0, 5.0  # [s] of the recording: the difference is without the start
+FEW, MANY = 1.0, 5.0  # [s] of the recording: the difference between the two runs excludes the start
 
 SWING = 0.3  # [m]
 SWINGS = 0.5  # [Hz]
@@ -86,7 +87,7 @@ def write_calibration(lens, path):
 
 
 def write_with_mast(source, path, swing):
-    """The recording with a mast that stays where it is at first, or swings there by so many metres."""
+    """Writes the recording with a mast that stays at its first pose, or swings there by so many metres."""
     first = None
     with rosbag.Bag(source) as bag, rosbag.Bag(path, "w") as out:
         for topic, message, stamp in bag.read_messages():
@@ -100,7 +101,7 @@ def write_with_mast(source, path, swing):
 
 
 def write_panorama(folder):
-    """A picture of 2048 x 1024 pixels, a gradient."""
+    """Writes a picture of 2048 x 1024 pixels with a gradient."""
     rows = [b"\0" + bytes((row // 4, column // 8 % 256, 200)[channel] for column in range(2048)
                           for channel in range(3)) for row in range(1024)]
 
@@ -115,7 +116,7 @@ def write_panorama(folder):
 
 
 def lamp(number, count):
-    """One of many under the hall's ceiling, which reaches 3 m and lights a part of the floor."""
+    """One of many lamps under the hall's ceiling; it reaches 3 m and lights a part of the floor."""
     columns = math.ceil(math.sqrt(count))
     x, y = ((each + 0.5) / columns * 12.0 - 6.0 for each in divmod(number, columns))
     return (f"<light name='lamp_{number}' type='point'><pose>{x} {y} 2.5 0 0 0</pose><cast_shadows>false</cast_shadows>"
@@ -124,7 +125,7 @@ def lamp(number, count):
 
 
 def what_lies_behind(others, settings, folder):
-    """Settings of a sky, of lamps or of a panorama, where `others` name one."""
+    """Settings for a sky, lamps or a panorama, if `others` contain one; these entries are removed."""
     sky, lamps = others.pop("sky", False), others.pop("lamps", 0)
     if sky or lamps:
         with open(settings["world"]["file"]) as file:
@@ -159,7 +160,7 @@ def settings_of(camera, how, bag, folder):
     lens, effects, others = camera
     with open(EXAMPLE) as file:
         settings = yaml.safe_load(file.read().replace("$(find synthetic_dataset)", PACKAGE))
-    if "world" in camera[2]:  # which has not the example's objects
+    if "world" in camera[2]:  # a different world, which lacks the example's models
         for name, model in MODELS.items():
             settings[name]["model"] = model
     calibration = f"{folder}/camera.yaml"
@@ -179,7 +180,7 @@ def settings_of(camera, how, bag, folder):
 
 
 def run(program, settings, folder):
-    """User processor time and clock of the whole process [s], and the number of instants."""
+    """User processor time and wall-clock time of the whole process [s], and the number of instants."""
     path = f"{folder}/settings.yaml"
     with open(path, "w") as out:
         yaml.safe_dump(settings, out)
@@ -194,7 +195,7 @@ def run(program, settings, folder):
 
 
 def instant_seconds(program, camera, how, bag, folder):
-    """User processor time and clock of an instant, without the start [s]."""
+    """User processor time and wall-clock time per instant, without the start [s]."""
     settings = settings_of(camera, how, bag, folder)
     few, few_instants = run(program, {**settings, "duration": FEW}, folder)
     many, many_instants = run(program, {**settings, "duration": MANY}, folder)
@@ -217,7 +218,7 @@ def main():
                  "model_folders": [f"{PACKAGE}/worlds/models"] + ([os.path.abspath(arguments.models)] if arguments.models else [])}
         cameras[f"pinhole in {os.path.basename(arguments.world)}"] = (PINHOLE, {}, {"world": world})
     chosen = [each for each in cameras if each == "pinhole" or any(text in each for text in arguments.only.split(";"))]
-    # Four cameras stand around the hall, and a drawn pose is another one in each scene.
+    # Four cameras only stand, and a random pose, which changes in each scene, is only measured with `rides`.
     rows = [(name, how) for name in chosen for how in (STANDS, RIDES, DRIVES)
             if (how == STANDS or "count" not in cameras[name][2])
             and (how == RIDES or "sample" not in cameras[name][2])]

@@ -1,9 +1,9 @@
-"""What a dataset costs besides its scenes: start, second core, memory, disk, manifest, going on.
+"""Measures what a dataset costs besides its scenes: start, second core, memory, disk, manifest, resuming.
 
   costs.py PROGRAM RESULTS [--scenes 100 1000]
 
-PROGRAM is `generate`. The room with four objects, exact masks and depth in three formats, at
-640 x 480. RESULTS gets costs.json and costs.md.
+PROGRAM is `generate`. It makes the room with four objects, exact masks and depth in three formats,
+at 640 x 480. RESULTS gets costs.json and costs.md.
 """
 
 import argparse
@@ -18,31 +18,31 @@ import room
 
 OBJECTS = 4
 SIZE = (640, 480)
-SCENES = 60  # of what is measured once for each setting
+SCENES = 60  # in measurements that are made once for each setting
 
 
 class Run:
-    """One run of the program in a folder with the room's files."""
+    """Runs the program in a folder with the room's files."""
 
     def __init__(self, program, folder, scene):
         self.program, self.folder, self.scene = program, folder, scene
         self.output = f"{folder}/dataset"
 
     def __call__(self, count, keep=False, before=(), **settings):
-        """The seconds of the whole process, and the most memory that it had [byte]."""
+        """The time [s] and the peak memory [byte] of the whole process."""
         parameters = ours.settings(self.scene, self.folder, self.output, ours.EXACT,
                                    duration=(count - 0.5) / room.RATE, **settings)
         return ours.run(self.program, parameters, self.folder, before, keep)
 
     def scene_seconds(self, **settings):
-        """Of a scene, without the start; the best of three."""
+        """The time of a scene [s], without the start; the best of three."""
         few = min(self(5, **settings)[0] for _ in range(3))
         many = min(self(5 + SCENES, **settings)[0] for _ in range(3))
         return (many - few) / SCENES
 
 
 def example_seconds(program, folder):
-    """The bundled example from the program's start to its end, with one scene; the best of five."""
+    """The time [s] of a run of the bundled example with one scene; the best of five."""
     config = os.path.join(os.path.dirname(__file__), "../../config/example.yaml")
     command = [program, "--config", config, f"output_folder:={folder}/example", "duration:=0.5"]
     seconds = []

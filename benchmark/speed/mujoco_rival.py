@@ -1,4 +1,4 @@
-"""The room drawn by MuJoCo with OSMesa: colour and segmentation, a PNG of each scene's picture.
+"""The room drawn by MuJoCo with OSMesa: colour and segmentation, each saved as a PNG.
 
   mujoco_rival.py FOLDER SCENES     prints the seconds from the first scene to the last, as JSON
 """
@@ -44,7 +44,7 @@ def main(folder, count):
     data = mujoco.MjData(model)
     renderer = mujoco.Renderer(model, scene["height"], scene["width"])
     began = 0.0
-    for index in range(count + 1):  # the first is for warming up
+    for index in range(count + 1):  # the first is a warm-up
         if index == 1:
             began = time.monotonic()
         for number, (x, y, z, yaw) in enumerate(scene["scenes"][index % len(scene["scenes"])]):

@@ -8,8 +8,8 @@ import time
 
 from room import camera_rotation, quaternion, RATE
 
-# What is written: the picture alone, three formats with depth and exact masks (a file each and
-# as polygons), and three with masks by background subtraction.
+# The writers: only the picture; three formats with depth and exact masks (as files and as polygons);
+# and three formats with masks by background subtraction.
 IMAGE = ["detect"]
 EXACT = ["bop", "coco", "detect"]
 SUBTRACTED = ["stvnet", "coco", "detect"]
@@ -18,8 +18,8 @@ PARAMETERS = {"detect": {"task": "detect"}}
 
 
 def settings(scene, folder, output, writers, mog2=False, bare=False, **more):
-    """A settings file's content, as JSON (which is YAML). Bare pictures have no shadows, and one sample a
-    pixel, as the floor's have."""
+    """The content of a settings file. Bare pictures have no shadows and one sample per pixel, like the
+    floor's."""
     objects = [f"object{i}" for i in range(len(scene["models"]))]
     half = 0.43 * scene["scale"]
     result = {
@@ -64,17 +64,17 @@ def write_camera(scene, folder):
 
 
 def set_aside(output):
-    """Makes room for a dataset. What was there stays: for minutes after many files were deleted,
-    ext4 takes longer to make new ones."""
+    """Moves an existing dataset out of the way instead of deleting it: for minutes after many files
+    were deleted, ext4 takes longer to create new ones."""
     if os.path.exists(output):
         os.rename(output, tempfile.mkdtemp(prefix="earlier_", dir=os.path.dirname(output)))
 
 
 def run(program, parameters, folder, before=(), keep=False):
-    """Makes a dataset, anew or, with keep, over what is there.
+    """Makes a dataset from scratch or, with `keep`, on top of what is there.
 
-    The seconds that the whole process takes, and the most memory that it has [byte]. `before` is a
-    program, with arguments, that starts ours.
+    Returns the time [s] and the peak memory [byte] of the whole process. `before` is a program,
+    with arguments, that starts ours.
     """
     if not keep:
         set_aside(parameters["output_folder"])
@@ -92,6 +92,6 @@ def run(program, parameters, folder, before=(), keep=False):
 
 
 def seconds_of(program, scene, folder, writers, count, **more):
-    """The whole process, with so many scenes."""
+    """The time of the whole process [s], with so many scenes."""
     return run(program, settings(scene, folder, f"{folder}/dataset", writers,
                                  duration=(count - 0.5) / RATE, **more), folder)[0]

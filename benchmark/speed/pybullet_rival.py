@@ -1,5 +1,5 @@
-"""The room drawn by PyBullet's TinyRenderer: colour, depth and segmentation in one call, a PNG each
-of colour and segmentation.
+"""The room drawn by PyBullet's TinyRenderer: colour, depth and segmentation in one call; colour and
+segmentation are saved as PNGs.
 
   pybullet_rival.py FOLDER SCENES     prints the seconds from the first scene to the last, as JSON
 """

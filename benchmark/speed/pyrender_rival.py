@@ -1,5 +1,5 @@
-"""The room drawn by pyrender with OSMesa: colour and depth with shadows, then segmentation, a PNG
-each of colour and segmentation.
+"""The room drawn by pyrender with OSMesa: colour and depth with shadows, then segmentation; colour
+and segmentation are saved as PNGs.
 
   pyrender_rival.py FOLDER SCENES     prints the seconds from the first scene to the last, as JSON
 """

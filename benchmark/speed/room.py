@@ -1,5 +1,5 @@
-"""The scene of the benchmarks: a walled room with bumpy spheres of 5,000 triangles and a picture
-each, that turn and circle. Everything that draws it takes it from the files that are written here."""
+"""The scene of the benchmarks: a walled room with bumpy spheres that turn and circle, each with
+5,000 triangles and a texture. All programs that draw it read the files that are written here."""
 
 import json
 import math
@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 RINGS = 50  # 2 * 50 * 50 triangles
-RATE = 30.0  # scenes a second of the recording
+RATE = 30.0  # scenes per second of the recording
 START = 1000.0  # [s]
 LIGHT_DIRECTION = (0.45, 0.35, -0.82)
 AMBIENT = 0.35
@@ -22,7 +22,7 @@ WALLS = [
     ("east", (8.0, 0.2, 3.0), (0.0, -4.1, 1.5), (0.60, 0.68, 0.74)),
     ("west", (8.0, 0.2, 3.0), (0.0, 4.1, 1.5), (0.74, 0.62, 0.58)),
 ]
-# Of the optical frame (x right, y down, z ahead), in the world: position [m], and where it looks.
+# The optical frame (x right, y down, z forward) in the world: its position and where it looks [m].
 CAMERA = (-3.6, 0.0, 2.4)
 TARGET = (0.6, 0.0, 0.5)
 
@@ -36,7 +36,7 @@ def camera_rotation():
 
 
 def quaternion(rotation):
-    """x, y, z, w of a rotation whose trace is not close to -1."""
+    """x, y, z, w of a rotation matrix whose trace is not close to -1."""
     w = math.sqrt(max(0.0, 1.0 + np.trace(rotation))) / 2.0
     x = (rotation[2, 1] - rotation[1, 2]) / (4.0 * w)
     y = (rotation[0, 2] - rotation[2, 0]) / (4.0 * w)
@@ -45,7 +45,7 @@ def quaternion(rotation):
 
 
 def bumpy_sphere(number):
-    """Vertices and texture coordinates on a grid of (RINGS + 1)^2, and triangles of their indices."""
+    """Vertices and texture coordinates on a grid of (RINGS + 1)^2, and triangles as indices."""
     a, b = np.meshgrid(np.linspace(0, np.pi, RINGS + 1), np.linspace(0, 2 * np.pi, RINGS + 1),
                        indexing="ij")
     r = 0.4 + 0.02 * np.sin((3 + number % 7) * b) * np.sin(4 * a)
@@ -75,7 +75,7 @@ def write_model(folder, number):
 
 
 def poses(objects, scenes):
-    """For each scene and object: x, y, z [m], yaw [rad], and for each object its scale."""
+    """For each scene and object: x, y, z [m], yaw [rad]; and the scale of all objects."""
     side = math.ceil(math.sqrt(objects))
     spacing = 4.0 / side
     scale = min(1.0, 0.8 * spacing)
@@ -136,7 +136,7 @@ def write_bag(folder, placed):
 
 
 def write(folder, objects, scenes, width, height):
-    """Makes the room's files in a folder; scene.json is the whole of it for what reads no SDF."""
+    """Writes the room's files to a folder; scene.json is all of it, for programs without SDF."""
     os.makedirs(folder, exist_ok=True)
     for number in range(min(objects, 16)):
         write_model(folder, number)

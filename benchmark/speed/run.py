@@ -1,10 +1,10 @@
-"""How fast scenes are made, beside what one would use instead, on the same scene in the same run.
+"""Measures how fast scenes are made, compared with alternatives, on the same scene in the same run.
 
   run.py PROGRAMS RESULTS [--objects 1 4 16 64] [--scenes 40] [--rounds 3] [--blenderproc PYTHON]
 
-PROGRAMS is the folder `lib` of a workspace's devel space. Rounds go in turns, so that what else the machine does falls on all alike; the
-best of each is taken. RESULTS gets results.json, table.md and, with matplotlib, plot.png. BlenderProc takes part where an
-interpreter is given that has blenderproc_requirements.txt.
+PROGRAMS is the folder `lib` of a workspace's devel space. All programs take turns in each round, so that other load on
+the machine affects all equally; the best time of each counts. RESULTS gets results.json, table.md and, with matplotlib,
+plot.png. BlenderProc takes part if an interpreter with blenderproc_requirements.txt is given.
 """
 
 import argparse
@@ -28,17 +28,17 @@ OURS = {"image": (ours.IMAGE, {}), "image, masks, depth": (ours.EXACT, {}),
 
 
 def scene_seconds(command, folder, scenes, *more):
-    """Of a program that prints the seconds that so many scenes take, as JSON in its last line."""
+    """Seconds per scene of a program whose last line has the seconds for so many scenes, as JSON."""
     done = subprocess.run([*command, folder, str(scenes), *more], stdout=subprocess.PIPE, text=True,
                           check=True)
     return json.loads(done.stdout.strip().splitlines()[-1])["seconds"] / scenes
 
 
 def measure(programs, folder, objects, size, arguments):
-    """The best seconds a scene by what is made; of our own, of a long run what a short one does not
-    take, which is without the start."""
+    """The best time per scene [s] of each program and kind of output; ours is the difference between
+    a long and a short run, which excludes the start."""
     few = 5
-    many = few + arguments.scenes * max(1, 16 // objects)  # short scenes tell little beside the start
+    many = few + arguments.scenes * max(1, 16 // objects)  # quick scenes are hard to tell from the start's noise
     scene = room.write(folder, objects, many, *size)
     ours.write_camera(scene, folder)
     best = {}
@@ -101,7 +101,7 @@ def plot(results, file):
 
 
 def has_blenderproc(python):
-    """Says why BlenderProc takes no part, if it does not."""
+    """Whether BlenderProc can take part; prints why not."""
     if not python:
         print("no BlenderProc: --blenderproc names no interpreter that has it")
         return False
@@ -124,7 +124,7 @@ def main():
     arguments.blenderproc = arguments.blenderproc if has_blenderproc(arguments.blenderproc) else None
     os.makedirs(arguments.results, exist_ok=True)
     results = []
-    with tempfile.TemporaryDirectory() as folder:  # deleted at the end alone (ours.set_aside)
+    with tempfile.TemporaryDirectory() as folder:  # only deleted at the end (ours.set_aside)
         for size in ((640, 480), (1280, 720)):
             for objects in arguments.objects:
                 place = tempfile.mkdtemp(dir=folder)

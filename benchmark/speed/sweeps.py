@@ -1,11 +1,11 @@
-"""How many sweeps a second a lidar makes, beside PyBullet's rayTestBatch and trimesh with embreex:
-65,536 rays among 16 balls of 5,000 triangles that move, in a hall (as benchmark/sweeps.cpp has it).
+"""Measures how many sweeps per second a lidar makes, compared with PyBullet's rayTestBatch and trimesh
+with embreex: 65,536 rays in a hall with 16 moving balls of 5,000 triangles, as in benchmark/sweeps.cpp.
 
   sweeps.py BENCHMARK_SWEEPS [SECONDS [ROUNDS]]
 
 All take turns, SECONDS each, and the median of ROUNDS counts. Ours casts each ray at its own time, from a
-scanner that moves, and gives each point all labels, normal and intensity; the others cast the rays of one
-instant and give each point its object, place and normal.
+moving scanner, and gives each point all labels, normal and intensity; the others cast all rays at one
+instant and give each point its object, position and normal.
 """
 
 import math
@@ -46,7 +46,7 @@ def ball_pose(ball, t):
 
 
 def rays(t):
-    """From where the scanner is, and where to."""
+    """The origins and directions of the rays."""
     azimuth = math.pi - 2 * np.pi * np.arange(COLUMNS) / COLUMNS + t
     elevation = np.radians(np.linspace(22.5, -22.5, RINGS))
     azimuth, elevation = np.meshgrid(azimuth, elevation, indexing='ij')

@@ -1,22 +1,22 @@
 #!/usr/bin/env python3.11
-"""A dataset of a model by BlenderProc's own recipe, made in a given processor time: images/train and labels/train as
-Ultralytics has them, of one class.
+"""Makes a dataset of a model with BlenderProc's own recipe, in a given processor time: images/train and labels/train in
+the format of Ultralytics, with one class.
 
   blenderproc_rival.py MESH FOLDER --processor-seconds SECONDS [--seed 0] [--cameras 1] [--samples 50]
 
 The recipe is examples/datasets/bop_challenge/main_lm_upright.py of BlenderProc: a room of five planes with a random
-material, a ceiling that emits and a point light, 15 objects and 9 distractors that stand close together, cameras on a
-shell around them that look at one of them, Cycles with 50 samples, and Intel's denoiser. What differs:
+material, an emissive ceiling and a point light, 15 objects and 9 distractors that stand close together, cameras on a
+shell around them that look at one of them, Cycles with 50 samples, and Intel's denoiser. Differences:
 
-- Materials are Blender's procedural textures instead of photographs of ambientcg.com, and distractors are Blender's
-  primitives with such materials instead of models of the BOP, as nothing is downloaded.
-- Shading is the file's, as what smooths by angle is not in Blender as a module.
-- The model is as large as those that the recipe is for, so that all of its distances can stay as they are.
-- A scene has one camera instead of 25: an arrangement costs next to nothing beside a picture, and a network learns more
-  from pictures of different ones.
-- The lens and the size are those of settings.py.
+- Materials are Blender's procedural textures instead of photographs from ambientcg.com, and distractors are Blender's
+  primitives with such materials instead of BOP models, as nothing is downloaded.
+- Shading is as in the model's file, as Blender as a module lacks smoothing by angle.
+- The model is scaled to the size of those that the recipe is made for, so that all distances can stay the same.
+- A scene has one camera instead of 25: an arrangement costs next to nothing compared with a picture, and a network
+  learns more from pictures of different arrangements.
+- The lens and the image size are those of settings.py.
 
-The time is that of the process with all its threads and children, from its start. When what is left is less than what a
+The time is that of the process with all its threads and children, from its start. When the time left is less than a
 picture takes on average, the program ends and prints what it has made, as JSON. The interpreter needs
 benchmark/speed/blenderproc_requirements.txt.
 """
@@ -29,7 +29,7 @@ import resource
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / 'speed'))
-import blenderproc_rival as room  # that of benchmark/speed, which starts BlenderProc without its own Blender
+import blenderproc_rival as room  # the one in benchmark/speed, which starts BlenderProc without its own Blender
 sys.path.append(str(pathlib.Path(__file__).parent))
 import settings
 
@@ -38,11 +38,11 @@ import cv2
 import numpy as np
 
 bproc = room.bproc
-DIAMETER = 0.2  # [m] of the model, as of LineMOD's
+DIAMETER = 0.2  # [m] of the model, as in LineMOD
 OBJECTS, DISTRACTORS, DISTRACTOR_POOL = 15, 9, 36
 SHAPES = ('CUBE', 'CYLINDER', 'SPHERE', 'MONKEY')
 TEXTURES = {'Noise': 'Fac', 'Voronoi': 'Distance', 'Brick': 'Fac', 'Wave': 'Fac', 'Checker': 'Fac', 'Magic': 'Fac'}
-MIN_PIXELS = 50  # of a label
+MIN_PIXELS = 50  # of an object with a label
 
 
 def processor_seconds():
@@ -51,7 +51,7 @@ def processor_seconds():
 
 
 def random_material():
-    """One of Blender's procedural textures in three colours, which is its relief, too."""
+    """One of Blender's procedural textures in three colours, which also serves as relief."""
     material = bproc.material.create('random')
     kind = random.choice(list(TEXTURES))
     texture = material.new_node(f'ShaderNodeTex{kind}')
@@ -78,7 +78,7 @@ def diameter(an_object):
 
 
 class Scene:
-    """All that the recipe has, which is arranged anew for each scene."""
+    """Everything in the recipe, rearranged for each scene."""
 
     def __init__(self, mesh):
         self._room = [bproc.object.create_primitive('PLANE', scale=[2, 2, 1], location=location, rotation=rotation)
@@ -91,7 +91,7 @@ class Scene:
         self._lamp.set_energy(200)
         first, *others = [each for each in bproc.loader.load_obj(mesh) if each.blender_obj.type == 'MESH']
         for light in [each for each in bpy.data.objects if each.type == 'LIGHT' and each != self._lamp.blender_obj]:
-            bpy.data.objects.remove(light)  # some files of models have one
+            bpy.data.objects.remove(light)  # some model files contain one
         if others:
             bpy.context.view_layer.objects.active = first.blender_obj
             first.join_with_other_objects(others)
@@ -108,7 +108,7 @@ class Scene:
             each.set_cp('category_id', 1)
 
     def arrange(self):
-        """Draws everything but the cameras."""
+        """Draws everything except the cameras at random."""
         distractors = random.sample(self._pool, DISTRACTORS)
         for each in self._pool:
             each.hide(True)
@@ -159,7 +159,7 @@ class Scene:
 
 
 def boxes(instances, attributes):
-    """Of the visible pixels of each object, as shares of the picture, centre first."""
+    """The boxes around the visible pixels of each object, as shares of the picture, centre first."""
     height, width = instances.shape
     for each in attributes:
         rows, columns = np.nonzero(instances == each['idx'])
@@ -193,7 +193,7 @@ def main():
     bproc.camera.set_intrinsics_from_K_matrix(np.reshape(lens, (3, 3)), settings.WIDTH, settings.HEIGHT)
     bproc.renderer.set_max_amount_of_samples(arguments.samples)
     scene = Scene(arguments.mesh)
-    # It numbers the objects that there are.
+    # Only now, as this numbers the objects that exist.
     bproc.renderer.enable_segmentation_output(map_by=['category_id', 'instance'], default_values={'category_id': 0})
     starting = processor_seconds()
     made, cameras = 0, arguments.cameras
@@ -208,7 +208,7 @@ def main():
         cameras = min(arguments.cameras, int((arguments.processor_seconds - now) / ((now - starting) / made)))
     print(json.dumps({'pictures': made, 'starting': starting, 'processor_seconds': processor_seconds(),
                       'version': bproc.__version__, 'blender': bpy.app.version_string}), flush=True)
-    os._exit(0)  # Blender as a module crashes as it is unloaded
+    os._exit(0)  # Blender as a module crashes when it is unloaded
 
 
 if __name__ == '__main__':

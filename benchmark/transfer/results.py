@@ -1,10 +1,10 @@
-"""What was measured, in a file that is whole at any time."""
+"""Keeps the measurements in a file that is complete at any time."""
 import json
 import os
 
 
 class Results:
-    """The results in a file. Each new one is on the disk before the next one is begun."""
+    """The results in a file. Each new result is written before the next one is started."""
 
     def __init__(self, file):
         self._file = file
@@ -22,7 +22,7 @@ class Results:
         self._write()
 
     def training(self, row, part, seed, full, train):
-        """AP50 of one training on the row's dataset as it is now, or None."""
+        """AP50 of one training on the row's current dataset, or None."""
         dataset = self.dataset(row)
         for each in self._all['trainings'] if dataset else []:
             if each['key'] == [row, dataset['digest'], part, seed, full, train]:
@@ -35,7 +35,7 @@ class Results:
         self._write()
 
     def trainings(self, row, part, full, train):
-        """{seed: AP50} of the row's dataset as it is now."""
+        """{seed: AP50} for the row's current dataset."""
         dataset = self.dataset(row)
         return {} if dataset is None else {
             each['key'][3]: each['ap50'] for each in self._all['trainings']

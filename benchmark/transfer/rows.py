@@ -1,8 +1,8 @@
-"""What is compared: a row for each way to make the pictures.
+"""The table's rows: one for each way to make the pictures.
 
-A row begins with the settings of `start`: those of a first user (`plain`), or the preset (`transfer`). `over` is put
-over them: groups are merged, all else is replaced. `motions` keeps these alone of the preset's motions. `scenes` is a
-number of pictures of its own.
+A row starts from the settings of `start`: those of a first user (`plain`), or the preset (`transfer`). `over` overrides
+them: groups are merged, everything else is replaced. `motions` keeps only these of the preset's motions. `scenes` is a
+number of pictures for this row.
 """
 import collections
 
@@ -12,7 +12,7 @@ PRESETS = '$(find synthetic_dataset)/config'
 SUN = '$(find synthetic_dataset)/worlds/sun.sdf'
 TURN = 3.14159
 
-# Where a first user's objects lie, and how they are looked at.
+# Where a first user's objects are, and where the camera sees them from.
 PLAIN = {
     'world': {'file': '$(find synthetic_dataset)/worlds/ground.sdf'},
     'placement': {'mode': 'drop', 'orientation': 'upright', 'volume': {'min': [-2, -2, 0.1], 'max': [2, 2, 0.5]}},

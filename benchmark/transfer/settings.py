@@ -1,4 +1,4 @@
-"""The settings of a row, as a file's content."""
+"""The settings of a row, as the content of a file."""
 import contextlib
 import copy
 import json
@@ -14,7 +14,7 @@ FORMAT = 'detect'
 
 
 def overlay(settings, over):
-    """Puts settings over others, as `include` does: groups are merged, all else is replaced."""
+    """Overrides settings, as with `include`: groups are merged, everything else is replaced."""
     for name, value in over.items():
         if isinstance(value, dict) and isinstance(settings.get(name), dict) and not _is_distribution(settings[name]):
             overlay(settings[name], value)
@@ -28,7 +28,7 @@ def _is_distribution(group):
 
 
 def of(row, model, scenes, seed=1):
-    """All but the output_folder. @param model  a path or URI of the object's model"""
+    """A row's settings without the output_folder. @param model  a path or URI of the object's model"""
     names = [f'object_{number}' for number in range(1, OBJECTS + 1)]
     found = {
         'motion': 'placement', 'scenes': row.scenes or scenes, 'seed': seed,
@@ -45,20 +45,20 @@ def of(row, model, scenes, seed=1):
 
 
 def with_motions(settings, spelled_out, names):
-    """Settings of which a preset's motions are written out, some of them alone.
+    """Settings with a preset's motions written out, but only some of them.
 
-    @param spelled_out  what the settings stand for
+    @param spelled_out  the settings that the run expanded these to
     """
     found = copy.deepcopy(spelled_out)
     found['motions'] = [each for each in found['motions'] if each['name'] in names]
     if len(found['motions']) != len(names):
         raise ValueError(f"the preset has no motions {', '.join(names)}")
-    # Where files are is as the settings say: relative to their folder.
+    # Paths of files stay as in the settings, relative to their folder.
     return overlay(found, {name: settings[name] for name in ('camera', 'scenes', 'seed')})
 
 
 def spelled_out_in(folder):
-    """What a run's settings stood for, without what nobody has set."""
+    """The expanded settings of a run, without the defaults."""
     found = {}
     for name, value in _rows(folder, 'SELECT name, value FROM setting WHERE NOT is_default'):
         *groups, last = name.split('/')
@@ -70,19 +70,19 @@ def spelled_out_in(folder):
 
 
 def digest_in(folder):
-    """What the settings and files are that a dataset was made of."""
+    """The digest of the settings and files from which a dataset was made."""
     return _rows(folder, "SELECT value FROM run WHERE key = 'settings_digest'")[0][0]
 
 
 def pictures_in(folder):
-    """How many are whole; none where there is no dataset."""
+    """The number of complete pictures; 0 if there is no dataset."""
     if not os.path.exists(f'{folder}/manifest.sqlite'):
         return 0
     return _rows(folder, "SELECT count(*) FROM scene WHERE state IN ('written', 'complete')")[0][0]
 
 
 def _rows(folder, sql):
-    """Of a dataset's manifest."""
+    """The rows of a query to a dataset's manifest."""
     with contextlib.closing(sqlite3.connect(f'file:{folder}/manifest.sqlite?mode=ro', uri=True)) as database:
         return database.execute(sql).fetchall()
 

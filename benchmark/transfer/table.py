@@ -38,7 +38,7 @@ def _number(value):
 
 
 def _spread(rows, results, train):
-    """Of seeds of the same row: what differs less may be chance."""
+    """A sentence on the spread over seeds of a row: smaller differences between rows may be chance."""
     groups = [list(results.trainings(row.name, 'odd', False, train).values()) for row in rows]
     groups = [values for values in groups if len(values) > 1]
     if not groups:

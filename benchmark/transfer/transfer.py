@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""What a network that learns from our pictures alone finds in photographs: a row for each way to make them.
+"""Measures what networks trained only on our pictures find in photographs: a row for each way to make the pictures.
 
   transfer.py WORK --model MODEL --real PHOTOGRAPHS --train COMMAND
               [--rows a,b] [--scenes 3000] [--confirm 5] [--seeds 3] [--full]
 
-MODEL is a model's folder or URI. WORK gets the datasets, results.json and table.md; what is there is not made again.
+MODEL is a model's folder or URI. WORK gets the datasets, results.json and table.md; whatever exists is not made again.
 COMMAND is called as `COMMAND DATASET --real PHOTOGRAPHS --part even|odd --seed N [--full]` and prints a line of JSON
-with {"real": {"ap50": ...}}. Rows are compared on the photographs of even index, with seed 0. The --confirm best of
-them are then measured on those of odd index, with --seeds seeds, and with --full by long trainings too, for which there
-should be a GPU. docs/transfer.md
+with {"real": {"ap50": ...}}. Rows are compared on the photographs with even indices, with seed 0. The --confirm best
+rows are then measured on those with odd indices, with --seeds seeds, and with --full also by long trainings, which need
+a GPU to be practical. See docs/transfer.md.
 """
 import argparse
 import json
@@ -27,11 +27,11 @@ from rows import ROWS
 from table import table
 
 GENERATE = ('rosrun', 'synthetic_dataset', 'generate')
-FEW = 20  # pictures, with which the rarest of the preset's motions has one
+FEW = 20  # pictures, enough for the rarest of the preset's motions to have one
 
 
 class Failure(Exception):
-    """A program that has failed."""
+    """A program has failed."""
 
 
 def output_of(command):
@@ -43,7 +43,7 @@ def output_of(command):
 
 
 class Benchmark:
-    """Makes datasets and trains on them, unless it has been done."""
+    """Makes datasets and trains on them, unless this has been done before."""
 
     def __init__(self, arguments, results, generate=GENERATE):
         self._arguments, self._results, self._generate = arguments, results, generate
@@ -56,7 +56,7 @@ class Benchmark:
             value = self._try(row, 'even', 0, False)
             compared += [(value, row)] if value is not None else []
             after_each()
-        compared.sort(key=lambda each: each[0], reverse=True)  # rows of equal value stay in their order
+        compared.sort(key=lambda each: each[0], reverse=True)  # the sort is stable for equal values
         for _, row in compared[:self._arguments.confirm]:
             for full in (False, True) if self._arguments.full else (False,):
                 for seed in range(self._arguments.seeds):
@@ -64,7 +64,7 @@ class Benchmark:
                     after_each()
 
     def _try(self, row, part, seed, full):
-        """AP50, or None for a row that fails: it is no reason to leave out the others."""
+        """AP50, or None if the row fails, which does not stop the others."""
         if row.name in dict(self.failures):
             return None
         try:
@@ -76,7 +76,7 @@ class Benchmark:
             return None
 
     def _dataset(self, row):
-        """A row's folder with its dataset, which a run that was stopped goes on with."""
+        """Makes a row's dataset, or continues one that was stopped, and returns the row's folder."""
         folder = os.path.join(self._arguments.work, row.name)
         os.makedirs(folder, exist_ok=True)
         pathlib.Path(folder, 'camera.yaml').write_text(settings.camera(), 'utf-8')
@@ -95,7 +95,7 @@ class Benchmark:
         return folder
 
     def _generated(self, file, content, folder):
-        """Makes a dataset, or what is missing of it. How many pictures are new."""
+        """Makes a dataset, or what is missing of it, and returns the number of new pictures."""
         text = json.dumps({**content, 'output_folder': folder}, indent=1)
         is_known = os.path.exists(file) and pathlib.Path(file).read_text('utf-8') == text
         before = settings.pictures_in(folder) if is_known else 0
@@ -124,7 +124,7 @@ class Benchmark:
 
 
 def chosen(names):
-    """@throws ValueError for a name that no row has"""
+    """The rows with these names, separated by commas; all if empty. @throws ValueError for an unknown name"""
     if not names:
         return ROWS
     wanted = names.split(',')

@@ -20,12 +20,12 @@ struct Box {
   [[nodiscard]] double height() const { return bottom - top; }
 };
 
-/// The edges of some pixels.
+/// The box along the outer edges of a rectangle of pixels.
 [[nodiscard]] inline Box boxAround(const cv::Rect& pixels) {
   return {pixels.x - 0.5, pixels.y - 0.5, pixels.br().x - 0.5, pixels.br().y - 0.5};
 }
 
-/// The part that both boxes cover; nothing where they share no area.
+/// The part that both boxes cover; nullopt if they share no area.
 [[nodiscard]] inline std::optional<Box> intersection(const Box& a, const Box& b) {
   const Box both{std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
                  std::min(a.bottom, b.bottom)};

@@ -8,7 +8,7 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// The models of lenses that are drawn, and what their coefficients are.
+/// The lens models that can be rendered, with their coefficients.
 enum class DistortionModel {
   kNone,
   kPlumbBob,            ///< k1, k2, p1, p2, k3
@@ -18,8 +18,8 @@ enum class DistortionModel {
   kDoubleSphere,        ///< xi, alpha
 };
 
-/// Coefficients in the order above, which is that of CameraInfo's D, of OpenCV and of Kalibr; those
-/// that a model lacks are 0.
+/// A lens model with its coefficients in the order above, which is also that of CameraInfo's D, of
+/// OpenCV and of Kalibr; coefficients that the model lacks are 0.
 /// Formulas: OpenCV's documentation of calib3d and of its fisheye module; C. Mei and P. Rives,
 /// "Single View Point Omnidirectional Camera Calibration from Planar Grids" (2007); V. Usenko,
 /// N. Demmel and D. Cremers, "The Double Sphere Camera Model" (2018).
@@ -29,7 +29,7 @@ struct Distortion {
   DistortionModel model = DistortionModel::kNone;
   std::array<double, kMostCoefficients> coefficients{};
 
-  /// The lens shows nothing that is farther from its axis than this [rad], in (0, pi].
+  /// The lens shows nothing farther from its axis than this angle [rad], in (0, pi].
   double cutoff_angle = 3.14159265358979323846;
 };
 
@@ -37,24 +37,24 @@ struct Distortion {
   return a.model == b.model && a.coefficients == b.coefficients && a.cutoff_angle == b.cutoff_angle;
 }
 
-/// What CameraInfo calls a model, or this software where CameraInfo has no name for it: "none",
+/// CameraInfo's name for a model, or this software's own if CameraInfo has none: "none",
 /// "plumb_bob", "rational_polynomial", "equidistant", "omnidirectional", "double_sphere".
 [[nodiscard]] const std::string& distortionModelName(DistortionModel model);
 
-/// Whether a name is that of a model that is drawn, by whichever of its names: ROS's, OpenCV's or
-/// Kalibr's, whatever its capitals, spaces and hyphens.
+/// Whether this is ROS's, OpenCV's or Kalibr's name for a model that can be rendered; case, spaces
+/// and hyphens are ignored.
 [[nodiscard]] bool isDistortionModelName(const std::string& name);
 
-/// The coefficients as lists have them: as many as the model needs, without the zeros at the end
-/// that a shorter list stands for.
+/// The coefficients as a list: as many as the model needs, without trailing zeros that a shorter
+/// list implies.
 [[nodiscard]] std::vector<double> coefficientsOf(const Distortion& distortion);
 
-/// The distortion that a name and a list describe. Zeros may follow the model's own coefficients.
-/// As OpenCV and ROS do, a list of `plumb_bob` with more coefficients is taken for that of
-/// `rational_polynomial`. Without coefficients other than 0, models that then bend nothing are
-/// kNone, whatever their name.
+/// Makes the distortion that a model's name and a list of coefficients describe. Zeros may follow
+/// the model's own coefficients. As in OpenCV and ROS, a `plumb_bob` list with more coefficients is
+/// read as one of `rational_polynomial`. If all coefficients are 0, the result is kNone whatever
+/// the name, except for models that bend the picture even then.
 /// @throws Error naming `distortion_model` or `distortion_coefficients`, what was found and what
-///     would be right; for a model that is known but not drawn, with its name
+///     would be right; for a known model that cannot be rendered, also what it is
 [[nodiscard]] Distortion makeDistortion(const std::string& model,
                                         const std::vector<double>& coefficients);
 

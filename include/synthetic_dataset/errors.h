@@ -7,14 +7,14 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// Anything that the user can mend: the message names the parameter or the file, says what was
-/// found and what would be right.
+/// Anything that the user can fix: the message names the parameter or the file, what was found and
+/// what would be right.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Several errors found in one go, so that the user mends them in one go.
+/// Several errors that are reported together, so that the user can fix them in one go.
 class ErrorList : public Error {
  public:
   /// @param messages  at least one

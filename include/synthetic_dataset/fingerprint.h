@@ -8,8 +8,8 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// Distinguishes contents, not to be relied on against anybody who wants two to be alike: FNV-1a of
-/// 64 bits (http://www.isthe.com/chongo/tech/comp/fnv/). The same on every machine.
+/// A hash that tells contents apart but does not resist deliberate collisions: 64-bit FNV-1a
+/// (http://www.isthe.com/chongo/tech/comp/fnv/). The same on every machine.
 class Fingerprint {
  public:
   Fingerprint() = default;

@@ -17,7 +17,7 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// The parameters below a writer's name, and what the core knows of the writer.
+/// The parameters below a writer's name, and what the core knows about the writer.
 class WriterParameters : public Parameters {
  public:
   /// @param writer_name  the writer's name in the parameter `writers`
@@ -31,14 +31,14 @@ class WriterParameters : public Parameters {
 
   /// A file that the user names in a parameter, for DatasetOutput::addFileAtParameter; a relative
   /// path is relative to the writer's output folder. The core checks before the first scene that
-  /// the file can be made.
+  /// the file can be created.
   [[nodiscard]] FileParameter requiredFile(const std::string& name);
 
-  /// Warns of something at the start of the run, before the first scene: what a loader of the
-  /// format will not like about the settings, for one. The run lists it, and the manifest.
+  /// Adds a warning for the start of the run, before the first scene; for example, about settings
+  /// that the format's loaders do not accept. The run and the manifest list it.
   void addWarning(const std::string& text) { warnings_.push_back(text); }
 
-  /// All of them.
+  /// All warnings added so far.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// The paths of all files read with `requiredFile`.
@@ -51,24 +51,24 @@ class WriterParameters : public Parameters {
   std::vector<std::string> warnings_;
 };
 
-/// What is known of an object before the first scene.
+/// Properties of an object that are known before the first scene.
 struct ObjectInfo {
   std::string name;
   std::string class_name;  ///< of its class in DatasetInfo::classes
   std::string id;
   int class_id = 0;  ///< of its class in DatasetInfo::classes
   std::size_t keypoint_count = 0;
-  std::vector<std::string> keypoint_names;  ///< as many: the parameter, else "0", "1", ...
+  std::vector<std::string> keypoint_names;  ///< one each: the parameter, else "0", "1", ...
 
-  /// Whether there may be scenes in which it has another model than DatasetInfo::model() says, or
-  /// is of another size or shape (variants of `same_class` have other proportions): of each scene,
-  /// SceneObject counts. A format that has room for one model alone cannot hold such scenes.
+  /// Whether some scenes may show it with a model other than DatasetInfo::model(), or in another
+  /// size or shape (variants of `same_class` have other proportions). SceneObject is authoritative
+  /// for each scene. A format with room for only one model cannot hold such scenes.
   bool model_varies = false;
 
   /// Pairs of keypoints to draw lines between, by their indices.
   std::vector<std::array<std::size_t, 2>> skeleton;
 
-  /// Groups of its links that the user has named: what Scene::part_map shows.
+  /// The groups of its links that the user has named; Scene::part_map shows them.
   std::vector<std::string> part_names;
 };
 
@@ -78,98 +78,97 @@ struct ClassInfo {
   std::string name;
 };
 
-/// A part of the dataset with a use of its own.
+/// A subset of the dataset with a purpose of its own.
 struct SplitInfo {
   std::string name;  ///< "train", "val", "test"
   std::int64_t scene_count = 0;
 };
 
-/// What is known of a camera before the first scene.
+/// Properties of a camera that are known before the first scene.
 struct CameraDescription {
   std::string name;
   std::string frame;  ///< of its optical frame
   CameraModel model;
 
-  /// Whether there may be scenes with another model than `model`: of each scene, Scene::camera
-  /// counts. A format that has room for one calibration alone cannot hold such scenes.
+  /// Whether some scenes may have a camera model other than `model`; Scene::camera is authoritative
+  /// for each scene. A format with room for only one calibration cannot hold such scenes.
   bool intrinsics_vary = false;
 };
 
-/// What is known of a lidar before the first scene.
+/// Properties of a lidar that are known before the first scene.
 struct LidarDescription {
   std::string name;
-  std::string frame;  ///< its own: x ahead, y left, z up; Scene::transform knows it
+  std::string frame;  ///< its own: x forward, y left, z up; Scene::transform knows it
 };
 
-/// Scenes of one recording, or placed by one rule, in one world. No scene has to do with those of
-/// another motion, and the times of one have nothing to do with those of another.
+/// The scenes of one recording, or those placed by one rule, in one world. Scenes and times of
+/// different motions are unrelated.
 struct MotionInfo {
-  std::string name;                ///< of its entry in `motions`, or its number from 0
+  std::string name;                ///< of its entry in `motions`, or its index from 0
   std::int64_t first_instant = 0;  ///< Scene::instant of its first scenes
-  std::int64_t instant_count = 0;  ///< times; each is a scene of every camera
-  double rate = 0.0;               ///< its times in a second [Hz]; 0 where scenes are placed
+  std::int64_t instant_count = 0;  ///< number of times; each is one scene per camera
+  double rate = 0.0;               ///< times per second [Hz]; 0 if scenes are placed
 };
 
-/// Who made files that scenes are made of (the world's, models', textures'), and what may be done
-/// with them, as far as files say so. Who publishes the dataset has to name them.
+/// The author and licence of files used in the scenes (of the world, models and textures), as far
+/// as the files state them. Whoever publishes the dataset has to credit the author.
 struct CreditInfo {
-  std::string author;              ///< several are divided by "; "; empty: not said
-  std::string license;             ///< as it is written; empty: not said
+  std::string author;              ///< several are separated by "; "; empty: not stated
+  std::string license;             ///< as written in the file; empty: not stated
   std::vector<std::string> files;  ///< folder and name of each: "rover/model.sdf"
 };
 
-/// What is known of the dataset before the first scene.
+/// Properties of the dataset that are known before the first scene.
 struct DatasetInfo {
   std::vector<ObjectInfo> objects;  ///< in the order of `robot_list`
-  std::int64_t scene_count = 0;  ///< as planned: none at which a frame of a writer's is not known
-  std::string global_frame;      ///< the fixed TF frame, in which Scene's poses are given
+  std::int64_t scene_count = 0;     ///< planned: without times at which a writer's frame is unknown
+  std::string global_frame;         ///< the fixed TF frame, in which Scene's poses are given
   std::vector<CameraDescription> cameras;  ///< at least one
   std::vector<ClassInfo> classes;          ///< in the order of their ids, each once
-  std::vector<std::string> world_classes;  ///< names for parts of the world: of Scene::world_map
-  std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none asked for
+  std::vector<std::string> world_classes;  ///< names for parts of the world, in Scene::world_map
+  std::vector<SplitInfo> splits;           ///< in the order train, val, test; empty: none requested
   std::vector<MotionInfo> motions;         ///< at least one, in the order of their scenes
-  std::vector<CreditInfo> credits;         ///< each author and licence once
+  std::vector<CreditInfo> credits;         ///< each pair of author and licence once
   std::vector<LidarDescription> lidars;    ///< in alphabetical order; there may be none
 
-  /// The surface of an object, with its links as its model file places them. Made anew at each
-  /// call.
+  /// The surface of an object, with its links posed as in its model file. Built anew by each call.
   /// @param object  its index in `objects`
-  /// @throws Error where models are not known
+  /// @throws Error if models are not known
   [[nodiscard]] ObjectModel model(std::size_t object) const;
 
-  /// The names of the splits in their order; "train" alone where none were asked for.
+  /// The names of the splits in order; only "train" if none were requested.
   [[nodiscard]] std::vector<std::string> splitFolders() const;
 
-  /// The index in `classes` of a class.
-  /// @throws Error where no class has this number
+  /// The index of a class in `classes`.
+  /// @throws Error if no class has this number
   [[nodiscard]] std::size_t classIndex(int class_id) const;
 
-  /// The classes' names by their numbers, "unused_3" for those that no class has: formats that
-  /// number classes from 0 without gaps have such a list.
+  /// The class names by number, with names like "unused_3" for numbers that no class has: for
+  /// formats that number classes from 0 without gaps.
   [[nodiscard]] std::vector<std::string> classNamesWithoutGaps() const;
 
-  /// The folder of a camera's files, with a `/` at its end; "" where there is one camera alone.
+  /// The folder of a camera's files, ending in `/`; "" if there is only one camera.
   [[nodiscard]] std::string cameraFolder(std::size_t camera) const;
 
-  /// The index in `lidars` of the lidar that a writer's parameter names. Another name is noted as
-  /// an error of the parameter; nothing then.
-  /// @param name  in `parameters`
-  /// @param lidar  what it says
+  /// The index in `lidars` of the lidar that a writer's parameter names. For an unknown lidar,
+  /// notes an error of the parameter and returns nullopt.
+  /// @param name  of the parameter in `parameters`
+  /// @param lidar  the parameter's value
   [[nodiscard]] std::optional<std::size_t> lidarIndex(Parameters& parameters,
                                                       const std::string& name,
                                                       const std::string& lidar) const;
 
   /// For formats that hold one calibration of each camera for all of its images.
-  /// @param file  in which it stands, for the message
-  /// @throws Error where a camera's intrinsics differ from scene to scene
+  /// @param file  that holds the calibration, for the message
+  /// @throws Error if a camera's intrinsics differ from scene to scene
   void refuseVaryingIntrinsics(const std::string& file) const;
 
   /// For formats that hold one model of each object for all images.
-  /// @param file  in which it stands, for the message
-  /// @throws Error where an object's model or size differs from scene to scene
+  /// @param file  that holds the model, for the message
+  /// @throws Error if an object's model or size differs from scene to scene
   void refuseVaryingModels(const std::string& file) const;
 
-  /// For who makes datasets: how `model` knows surfaces.
+  /// For code that builds a DatasetInfo: sets the function that `model` calls.
   using Models = std::function<ObjectModel(std::size_t object)>;
   void setModels(Models models) { models_ = std::move(models); }
 
@@ -177,11 +176,11 @@ struct DatasetInfo {
   Models models_;
 };
 
-/// What a writer needs to be computed. What no writer asks for is not computed, and asking the
-/// scene for it throws.
+/// The data that the core has to compute for a writer. Data that no writer asks for is not
+/// computed, and reading it from a scene throws.
 struct Requirements {
   bool silhouettes = false;         ///< SceneObject::silhouette
-  bool visible_masks = false;       ///< SceneObject::visible_mask, visible_box, pixels.visible;
+  bool visible_masks = false;       ///< SceneObject::visible_mask, visibleBox, pixels.visible;
                                     ///< Scene::instance_map
   bool visibility = false;          ///< SceneObject::pixels, visibility, truncation, silhouette_box
   bool keypoint_states = false;     ///< Keypoint::state
@@ -192,25 +191,25 @@ struct Requirements {
   bool normals = false;             ///< Scene::normals
   bool optical_flow = false;        ///< Scene::optical_flow
   bool clouds = false;              ///< Scene::clouds
-  std::vector<std::string> frames;  ///< TF frames that Scene::transform must know at every scene
+  std::vector<std::string> frames;  ///< TF frames that Scene::transform must know in every scene
 };
 
 /// A dataset format: turns scenes into files. The base class of every writer plugin.
 ///
-/// A writer is a pure function from a scene to files: it opens no file, holds no state from scene
-/// to scene and starts no thread. Its life: one `initialize`, then `requirements`, then
-/// `writeScene` for each scene, in any order and from any one thread at a time, then one
-/// `finalize`. The public methods check that `initialize` comes first, and once. A resumed run
-/// skips scenes that are already there, so `finalize` learns about scenes from the records alone.
+/// A writer is a pure function from a scene to files: it opens no file, keeps no state from scene
+/// to scene and starts no thread. The order of calls is: one `initialize`, then `requirements`,
+/// then `writeScene` for each scene, in any order and from any thread but one at a time, then one
+/// `finalize`. The public methods check that `initialize` is called first, and once. A resumed run
+/// skips scenes that already exist, so `finalize` learns about scenes only from the records.
 ///
 /// Errors: throw Error (or any std::exception); the public methods add the writer's name.
 ///
-/// What a writer need not check, as the core does: the order of the calls; that parameters have the
+/// A writer need not check what the core checks: the order of the calls; that parameters have the
 /// type that they are read as, and that none is misspelt; that names of objects, classes and
 /// cameras are one line of UTF-8, and that an object's class is in DatasetInfo::classes; that
 /// required frames are known and what is required is there; that paths stay in the writer's folder,
-/// are used once and do not meet those of other writers; that files can be written, and their
-/// format can hold the pixels; that scenes come from several runs or processes.
+/// are used once and do not clash with those of other writers; that files can be written, and their
+/// format can hold the pixels. Nor need it care whether scenes come from several runs or processes.
 ///
 /// Export with PLUGINLIB_EXPORT_CLASS(my_package::MyWriter, synthetic_dataset::LabelWriter).
 class LabelWriter {
@@ -220,23 +219,23 @@ class LabelWriter {
   LabelWriter& operator=(const LabelWriter&) = delete;
   virtual ~LabelWriter();
 
-  /// @param parameters  the writer's own, in which wrong ones are noted
-  /// @throws Error when it is called twice, or with what the writer throws
+  /// @param parameters  the writer's own; errors in them are noted there
+  /// @throws Error if called twice, or with the message of what the writer throws
   void initialize(WriterParameters& parameters, const DatasetInfo& dataset);
 
-  /// What has to be computed for this writer, the same at each call.
-  /// @throws Error before `initialize`, or with what the writer throws
+  /// The data that has to be computed for this writer, the same in each call.
+  /// @throws Error before `initialize`, or with the message of what the writer throws
   [[nodiscard]] Requirements requirements() const;
 
-  /// Hands a scene over, with what `requirements` asks for.
-  /// @param output  takes the scene's files, which the core writes
-  /// @throws Error before `initialize`, or with what the writer throws
+  /// Passes the writer a scene that has everything `requirements` asks for.
+  /// @param output  receives the scene's files, which the core writes
+  /// @throws Error before `initialize`, or with the message of what the writer throws
   void writeScene(const Scene& scene, SceneOutput& output) const;
 
-  /// Asks for the files of the dataset as a whole. Not called for a shard, whose scenes are
-  /// finished when the shards are merged.
-  /// @param records  what `writeScene` noted of each scene, of this run or an earlier one
-  /// @throws Error before `initialize`, or with what the writer throws
+  /// Asks for the files of the dataset as a whole. Not called for a shard; merging the shards calls
+  /// it for all of their scenes.
+  /// @param records  what `writeScene` recorded of each scene, in this run or an earlier one
+  /// @throws Error before `initialize`, or with the message of what the writer throws
   void finalize(const SceneRecords& records, DatasetOutput& output) const;
 
  private:
@@ -245,10 +244,10 @@ class LabelWriter {
 
   virtual Requirements doRequirements() const;
 
-  /// Says which files the scene becomes. The only method that every writer has.
+  /// Adds the scene's files to `output`. The only method that every writer must implement.
   virtual void doWriteScene(const Scene& scene, SceneOutput& output) const = 0;
 
-  /// Says which files the whole dataset has.
+  /// Adds the files of the whole dataset to `output`.
   virtual void doFinalize(const SceneRecords& records, DatasetOutput& output) const;
 
   std::string name_;

@@ -7,12 +7,12 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// The candidate that is spelt most nearly like `name` (by Levenshtein's distance), if it is near
-/// enough to be what a typing mistake meant: at most a third of the letters differ.
+/// The candidate with the smallest edit distance to `name` (Damerau-Levenshtein), if `name` may be
+/// a misspelling of it: at most a third of the letters, or one, differ.
 [[nodiscard]] std::optional<std::string> nearestName(const std::string& name,
                                                      const std::vector<std::string>& candidates);
 
-/// "; did you mean 'x'?" for the end of a message, or nothing.
+/// "; did you mean 'x'?" for the end of a message, or "" if no candidate is near enough.
 [[nodiscard]] std::string didYouMean(const std::string& name,
                                      const std::vector<std::string>& candidates);
 

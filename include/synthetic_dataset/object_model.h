@@ -14,10 +14,10 @@ inline namespace v2 {
 struct ObjectModel {
   struct Vertex {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< p_O [m]
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< unit length, pointing out
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< unit length, pointing outwards
     std::array<std::uint8_t, 3> colour{};                ///< red, green, blue (sRGB)
   };
-  using Triangle = std::array<std::int32_t, 3>;  ///< indices of vertices, counter-clockwise outside
+  using Triangle = std::array<std::int32_t, 3>;  ///< vertex indices, counter-clockwise from outside
 
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
@@ -28,7 +28,7 @@ struct ObjectModel {
 
 /// Writes a model as PLY (ASCII; x y z, normal, colour; triangles as `vertex_indices`), which BOP's
 /// and PVNet's loaders read. http://paulbourke.net/dataformats/ply/
-/// @param scale  what a metre is in the file: 1 for metres, 1000 for millimetres
+/// @param scale  the file's units per metre: 1 for metres, 1000 for millimetres
 void writePly(std::ostream& stream, const ObjectModel& model, double scale);
 
 }  // namespace v2

@@ -16,14 +16,14 @@ inline namespace v2 {
 /// Reads one group of parameters and remembers what was wrong, so that all errors are reported at
 /// once.
 ///
-/// A wrong or missing parameter never throws here: the reader notes the error, with the parameter's
-/// full name, what was found and what would be right, and answers a harmless value. Who owns the
-/// root asks `errors()` at the end.
+/// A wrong or missing parameter never throws: the reader notes the error, with the parameter's full
+/// name, what was found and what would be right, and returns a harmless value. The owner of the
+/// root checks `errors()` at the end.
 ///
 /// Methods that may note something are not const; copies and groups share their root's notes.
 ///
-/// Every parameter that was asked for counts as known; `unknownNames()` gives the others, which are
-/// most often misspelt.
+/// Every parameter that was asked for counts as known; `unknownNames()` returns the others, which
+/// are usually misspelt.
 ///
 /// `T` may be bool, int, std::int64_t, double (a whole number will do), std::string,
 /// std::vector<double>, std::vector<std::string> (a single string counts as a list of one),
@@ -36,20 +36,20 @@ class Parameters {
 
   [[nodiscard]] bool has(const std::string& name);
 
-  /// A parameter without which there is no run.
+  /// A mandatory parameter; an error is noted if it is missing.
   template <class T>
   [[nodiscard]] T required(const std::string& name);
 
-  /// A parameter with a default, which `defaultsTaken()` lists when it was used.
+  /// A parameter with a default, which `defaultsTaken()` lists if it was used.
   template <class T>
   [[nodiscard]] T optional(const std::string& name, const T& fallback);
 
-  /// A parameter whose absence means something of its own.
+  /// A parameter whose absence has a meaning of its own.
   template <class T>
   [[nodiscard]] std::optional<T> maybe(const std::string& name);
 
-  /// A number from `least` to `most`, both included; otherwise an error is noted, and the fallback
-  /// taken.
+  /// A number from `least` to `most`, both included; otherwise an error is noted and the fallback
+  /// returned.
   template <class T>
   [[nodiscard]] T optionalBetween(const std::string& name, T fallback, T least, T most);
 
@@ -57,7 +57,8 @@ class Parameters {
   template <class T>
   [[nodiscard]] std::optional<T> maybeBetween(const std::string& name, T least, T most);
 
-  /// A text that is one of a few; otherwise an error is noted, and the fallback taken.
+  /// One of the texts in `choices`; for any other, an error is noted and the fallback returned (if
+  /// there is none, "" or nullopt).
   [[nodiscard]] std::string requiredChoice(const std::string& name,
                                            const std::vector<std::string>& choices);
   [[nodiscard]] std::string optionalChoice(const std::string& name,
@@ -66,17 +67,17 @@ class Parameters {
   [[nodiscard]] std::optional<std::string> maybeChoice(const std::string& name,
                                                        const std::vector<std::string>& choices);
 
-  /// The parameters below `name`; an empty group where there are none.
+  /// The parameters below `name`; an empty group if there are none.
   [[nodiscard]] Parameters group(const std::string& name);
 
-  /// Notes what a parameter is, for forms and references: its `default`, its `choices`, or its
-  /// `range` as [least, most]. The methods above do so by themselves.
+  /// Notes a fact about a parameter for forms and reference pages: its `default`, its `choices`, or
+  /// its `range` as [least, most]. The methods above do so themselves.
   void declare(const std::string& name, const std::string& fact, Value value);
 
   /// Notes an error about a parameter of this group: "<full name>: <message>".
   void addError(const std::string& name, const std::string& message);
 
-  /// Takes note that a parameter is known although nobody reads it here.
+  /// Marks a parameter as known although nothing reads it.
   void ignore(const std::string& name);
 
   /// "group/name" as the user would write it below the node.
@@ -85,24 +86,25 @@ class Parameters {
   /// Names of this group's entries in alphabetical order.
   [[nodiscard]] std::vector<std::string> names() const;
 
-  /// Full names of the entries in this group and the groups made from it that nobody asked for.
+  /// Full names of the entries that nobody asked for, in this group and the groups made from it.
   [[nodiscard]] std::vector<std::string> unknownNames() const;
 
-  /// The names that were asked for in the group that holds `full_name`: what it may have meant.
+  /// The names that were asked for in the group of `full_name`: what the user may have meant by it.
   [[nodiscard]] std::vector<std::string> knownNeighbours(const std::string& full_name) const;
 
-  /// The full names that were asked for in any group and end like this one: "camera/effects/blur".
+  /// The full names that were asked for, in any group, and whose last part is `name`:
+  /// "camera/effects/blur".
   [[nodiscard]] std::vector<std::string> knownElsewhere(const std::string& name) const;
 
   [[nodiscard]] const std::vector<std::string>& errors() const;
 
-  /// What was declared of each parameter, by full name.
+  /// What was declared about each parameter, by full name.
   [[nodiscard]] const std::map<std::string, Value::Map>& declarations() const;
 
   /// "name: value" of each default used, in order of reading.
   [[nodiscard]] const std::vector<std::string>& defaultsTaken() const;
 
-  /// The same as values, by full name.
+  /// The defaults used, as values by full name.
   [[nodiscard]] const std::map<std::string, Value>& defaultValues() const;
 
  private:

@@ -7,8 +7,8 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// Why a writer's path of a file in its folder cannot be used; nothing when it can.
-/// A good one is relative, normalised, stays in the folder and fits every file system of Linux.
+/// Why a writer cannot use this path for a file in its folder; nullopt if it can.
+/// A valid path is relative and normalised, stays in the folder and suits every Linux file system.
 [[nodiscard]] std::optional<std::string> relativePathProblem(std::string_view path);
 
 }  // namespace v2

@@ -6,20 +6,20 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// @throws Error that says what was asked for, and what would have it computed
+/// @throws Error saying what was asked for and which requirement would have it computed
 [[noreturn]] void throwNotRequired(const char* name, const char* requirement);
 
-/// Something that is computed only where the requirements of a writer ask for it. Asking for it
-/// elsewhere throws: what is not known must not look like nothing.
+/// A value that is computed only if a writer's requirements ask for it. Reading it otherwise
+/// throws, so that an unknown value cannot be mistaken for an empty one.
 template <class T>
 class Required {
  public:
-  /// @param name  what it is called, for the message: "Scene::depth"
+  /// @param name  the value's name, for the message: "Scene::depth"
   /// @param requirement  the member of Requirements that asks for it: "depth"
   Required(const char* name, const char* requirement) : name_(name), requirement_(requirement) {}
 
-  /// What was computed.
-  /// @throws Error where no writer of the run requires it
+  /// The computed value.
+  /// @throws Error if no writer of the run requires it
   [[nodiscard]] const T& operator()() const {
     if (!value_) throwNotRequired(name_, requirement_);
     return *value_;

@@ -13,7 +13,7 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// What a writer asks for, by paths in its folder. Nothing of it is on a disk.
+/// The files that a writer asks for, by their paths in its folder. They exist only in memory.
 struct WrittenFiles {
   std::map<std::string, std::string> texts;
   std::map<std::string, cv::Mat> images;     ///< as they were given; masks as images
@@ -22,26 +22,27 @@ struct WrittenFiles {
   std::vector<std::string> warnings;
 };
 
-/// Runs a writer as the core does, for tests: of hand-made scenes, and without a run, a dataset's
-/// folder or pluginlib. Paths follow the core's rules; that a format can hold an image's pixels is
-/// what a run alone checks.
+/// Runs a writer as the core does, for tests: on hand-made scenes, without a run, a dataset folder
+/// or pluginlib. Paths follow the core's rules; whether an image format can hold the pixels is
+/// checked only in a run.
 class TestedWriter {
  public:
   /// Initialises the writer, under the name "w", in the folder "/w/".
-  /// @param writer  a new one; has to outlive this
-  /// @throws Error with all that is wrong with the parameters, misspelt ones too
+  /// @param writer  a new one; must outlive this object
+  /// @throws Error listing everything that is wrong with the parameters, misspelt names included
   TestedWriter(LabelWriter& writer, const Value::Map& parameters, const DatasetInfo& dataset);
 
-  /// What a scene becomes. What the writer does not require is taken from it before.
-  /// @throws Error also where the writer gives something else when it is asked a second time: it
-  ///     has to be a pure function
+  /// Returns what the writer makes of a scene. It sees the scene without what it does not require.
+  /// @throws Error also if the writer returns something else when called a second time: it has to
+  ///     be a pure function
   WrittenFiles write(const Scene& scene);
 
-  /// The files of the dataset as a whole, of the scenes that were written so far. Texts of scenes
-  /// can be read; a file at a user's path has that path.
+  /// Returns the files of the dataset as a whole, for the scenes written so far. The writer can
+  /// read back text files of scenes; a file at a path that the user chose is listed under that
+  /// path.
   [[nodiscard]] WrittenFiles finalize() const;
 
-  /// What the writer warned of when it was initialised.
+  /// The warnings that the writer gave when it was initialised.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return parameters_.warnings(); }
 
  private:

@@ -9,7 +9,7 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-/// What a parameter holds: a typed tree, as the ROS parameter server and YAML have it.
+/// A parameter's value: a typed tree, as in the ROS parameter server and in YAML.
 class Value {
  public:
   using List = std::vector<Value>;
@@ -30,7 +30,7 @@ class Value {
     return std::holds_alternative<T>(data_);
   }
 
-  /// The content when it is of this type, else nullptr.
+  /// The content if it has this type, else nullptr.
   template <class T>
   [[nodiscard]] const T* as() const {
     return std::get_if<T>(&data_);
@@ -46,7 +46,7 @@ class Value {
   /// class and id enter label files; lists and maps in YAML's flow style, for messages.
   [[nodiscard]] std::string text() const;
 
-  /// What kind of thing it is, for messages: "a number", "a list", "nothing", ...
+  /// The kind of value, for messages: "a number", "a list", "nothing", ...
   [[nodiscard]] std::string kind() const;
 
   friend bool operator==(const Value& a, const Value& b) { return a.data_ == b.data_; }

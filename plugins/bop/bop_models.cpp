@@ -37,7 +37,7 @@ std::optional<Pose> poseOf(const Value& value) {
   const auto numbers = listedNumbers(value, 16);
   if (!numbers) return std::nullopt;
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(numbers->data());
-  constexpr double kTolerance = 1e-4;  // numbers are written with few digits
+  constexpr double kTolerance = 1e-4;  // numbers are written with only a few digits
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
   const bool is_rigid = (rotation * rotation.transpose()).isIdentity(kTolerance) &&
                         rotation.determinant() > 0.0 &&
@@ -68,7 +68,7 @@ std::optional<ContinuousSymmetry> continuousOf(const Value& value) {
   return ContinuousSymmetry{axis->normalized(), *offset};
 }
 
-/// The entries of a list, or the value itself where it is not one of these.
+/// The entries of a list, or the value itself if it is not a list of entries.
 Value::List entriesOf(const Value& value) {
   const auto* list = value.as<Value::List>();
   if (list == nullptr) return {value};
@@ -77,8 +77,8 @@ Value::List entriesOf(const Value& value) {
 }
 
 /// Reads an object's symmetries: `discrete`, transforms of 16 numbers each, row by row [m], and
-/// `continuous`, axes with an offset [m]; both in the object's frame. Notes errors.
-/// @param model  gets them, in its own frame, instead of those that it has
+/// `continuous`, axes with an offset [m]; both in the object's frame. Adds errors to `parameters`.
+/// @param model  its symmetries are replaced by these, in its own frame
 void readSymmetries(Parameters parameters, BopModel& model) {
   const Pose X_MO = model.X_OM.inverse();
   model.discrete_symmetries.clear();
@@ -111,7 +111,7 @@ std::vector<std::string> namesOf(const DatasetInfo& dataset) {
   return names;
 }
 
-/// Notes an error for each entry of a group that is no object's name.
+/// Adds an error for each entry of a group that is not an object's name.
 void requireObjectNames(Parameters& group, const DatasetInfo& dataset) {
   const std::vector<std::string> objects = namesOf(dataset);
   for (const std::string& name : group.names()) {
@@ -157,7 +157,7 @@ BopModel measured(const ObjectModel& model, std::size_t object, bool is_centred)
   return result;
 }
 
-/// Whether two models are the same surface, as far as their extents show.
+/// Whether two models have the same surface, judged by their extents.
 bool areAlike(const BopModel& a, const BopModel& b) {
   constexpr double kTolerance = 1e-6;  // [m]
   return a.has_surface == b.has_surface && a.bounds_M.low.isApprox(b.bounds_M.low, kTolerance) &&

@@ -8,17 +8,17 @@
 /// The object models of a dataset in BOP's format.
 namespace synthetic_dataset {
 
-inline constexpr double kMillimetres = 1000.0;  ///< in a metre
+inline constexpr double kMillimetres = 1000.0;  ///< per metre
 
-/// A model that looks the same when it is turned by any angle about an axis.
+/// A symmetry of a model that looks the same when rotated by any angle about an axis.
 struct ContinuousSymmetry {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< a point of the axis [m]
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< a point on the axis [m]
 };
 
-/// One of BOP's models. Frames: O the object's, M the model's, which are parallel.
+/// One of BOP's models. Frames: O is the object's and M the model's; their axes are parallel.
 struct BopModel {
-  std::size_t object = 0;  ///< whose model it is: its index in DatasetInfo::objects
+  std::size_t object = 0;  ///< index in DatasetInfo::objects of the object whose model it is
   bool has_surface = false;
   Pose X_OM = Pose::Identity();
   Cuboid bounds_M;                                        ///< [m]
@@ -27,7 +27,7 @@ struct BopModel {
   std::vector<ContinuousSymmetry> continuous_symmetries;  ///< in M
 };
 
-/// All models, and which one each object has.
+/// All models, and the model of each object.
 struct BopModels {
   std::vector<int> obj_ids;       ///< of each object
   std::map<int, BopModel> by_id;  ///< by obj_id, from 1
@@ -40,7 +40,7 @@ struct BopModels {
 /// Reads `obj_ids`, `centre_models` and `symmetries`, and measures the models.
 [[nodiscard]] BopModels readBopModels(Parameters& parameters, const DatasetInfo& dataset);
 
-/// The folders `models` and `models_eval`.
+/// Writes the folders `models` and `models_eval`.
 void addBopModels(const BopModels& models, const DatasetInfo& dataset, DatasetOutput& output);
 
 }  // namespace synthetic_dataset

@@ -7,11 +7,11 @@
 namespace synthetic_dataset {
 namespace {
 
-/// A tenth of a millimetre where that reaches the far plane, as in BOP's rendered images; else a
-/// millimetre, as most depth cameras have it.
+/// A tenth of a millimetre if that reaches the far plane, as in BOP's rendered images; otherwise a
+/// millimetre, as for most depth cameras.
 double depthScaleFor(const DatasetInfo& dataset) {
   constexpr double kMillimetresOfAMetre = 1000.0;
-  constexpr double kGreatest = 65535.0;  // that a pixel can hold
+  constexpr double kGreatest = 65535.0;  // maximum value of a pixel
   constexpr double kFine = 0.1;
   double far = 0.0;
   for (const CameraDescription& camera : dataset.cameras) far = std::max(far, camera.model.far());
@@ -41,7 +41,7 @@ BopOptions readBopOptions(Parameters& parameters, const DatasetInfo& dataset) {
     options.image_format = options.train_format =
         "." + parameters.requiredChoice("image_format", {"png", "jpg"});
   } else if (type == "pbr") {
-    options.train_format = ".jpg";  // as bop_toolkit's dataset_params.py opens it in train_pbr
+    options.train_format = ".jpg";  // as expected in train_pbr by bop_toolkit's dataset_params.py
   }
   return options;
 }

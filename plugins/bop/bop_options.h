@@ -11,10 +11,10 @@ namespace synthetic_dataset {
 struct BopOptions {
   std::string train_folder = "train";
   std::int64_t images_per_scene = 1000;
-  double depth_scale = 1.0;  ///< [mm] of a depth image's 1
+  double depth_scale = 1.0;  ///< [mm] per unit of a depth image
   bool coco = true;
-  std::string image_format = ".png";  ///< with the point
-  std::string train_format = ".png";  ///< of images for training
+  std::string image_format = ".png";  ///< including the dot
+  std::string train_format = ".png";  ///< of training images
 
   /// @param split  as Scene::splitFolder()
   [[nodiscard]] const std::string& formatOf(const std::string& split) const {
@@ -22,7 +22,7 @@ struct BopOptions {
   }
 };
 
-/// Notes errors.
+/// Adds errors to `parameters`.
 [[nodiscard]] BopOptions readBopOptions(Parameters& parameters, const DatasetInfo& dataset);
 
 }  // namespace synthetic_dataset

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// All lengths are in millimetres.
+/// The pose in a JSON entry; all lengths are in millimetres.
 Pose poseOf(const Json& json) {
   Pose pose = Pose::Identity();
   for (int i = 0; i < 9; ++i) {
@@ -46,7 +46,7 @@ Cuboid boundsOf(const Json& info) {
   return {low, low + Eigen::Vector3d(info.at("size_x"), info.at("size_y"), info.at("size_z"))};
 }
 
-/// The toolkit's box has one column and row less than its pixels.
+/// The toolkit's box is one column and one row smaller than its pixels.
 std::optional<Box> boxOf(const Json& json) {
   const double left = json.at(0);
   const double top = json.at(1);
@@ -70,17 +70,17 @@ struct JsonDocument {
   Json content;
 };
 
-/// What `read` makes of a file that is kept.
+/// What `read` makes of a kept file.
 template <class Read>
 auto reading(const fs::path& file, KeptFiles& kept, const Read& read) {
   const auto document = kept.get<JsonDocument>(file);
   return readingJson(file, [&] { return read(document->content); });
 }
 
-/// What the format's own files do not say of a model: the objects that have it.
+/// The objects that have a model, which the format's own files do not tell.
 struct ModelOwners {
   std::vector<std::string> class_names;
-  Pose X_OM = Pose::Identity();  ///< of the model's frame, which is parallel to the object's
+  Pose X_OM = Pose::Identity();  ///< of the model's frame, whose axes are parallel to the object's
 };
 
 std::map<int, ModelOwners> ownersIn(const fs::path& file, KeptFiles& kept) {
@@ -97,7 +97,7 @@ std::map<int, ModelOwners> ownersIn(const fs::path& file, KeptFiles& kept) {
   });
 }
 
-/// From the model's frame to the object's, from millimetres to metres.
+/// Converts a pose from the model's frame to the object's, and from millimetres to metres.
 Pose objectPose(const Pose& X_CM, const Pose& X_OM) {
   Pose X_CO = X_CM * X_OM.inverse();
   X_CO.translation() /= kMillimetres;
@@ -147,10 +147,10 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// Depth in whole numbers of 16 bits.
+/// The depth, stored as 16-bit integers.
 std::vector<DecodedPicture> picturesOf(const WrittenScene& scene, const CameraModel& /*camera*/,
                                        const DatasetInfo& dataset) {
-  constexpr double kMetres = 1e-3;  // in a millimetre
+  constexpr double kMetres = 1e-3;  // per millimetre
   constexpr double kGreatest = 65535.0;
   Parameters parameters(Value(scene.settings));
   const double scale = readBopOptions(parameters, dataset).depth_scale;

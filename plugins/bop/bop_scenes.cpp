@@ -6,7 +6,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// Entries of a JSON list or map, a line each.
+/// Entries of a JSON list or map, one per line.
 class Entries {
  public:
   void add(const std::string& entry) { text_ += (text_.empty() ? "" : ",\n") + entry; }
@@ -16,7 +16,7 @@ class Entries {
   std::string text_;
 };
 
-/// The contents of a folder's files, as far as they are known.
+/// The contents of a folder's files, collected so far.
 struct SceneFolder {
   Entries cameras;
   Entries poses;

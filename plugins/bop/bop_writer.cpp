@@ -21,20 +21,21 @@
 namespace synthetic_dataset {
 namespace {
 
-constexpr int kGreatestDepth = 65535;  // that a pixel can hold
+constexpr int kGreatestDepth = 65535;  // maximum value of a pixel
 
-/// Of visibility: the toolkit's smallest for a target, and below which it ignores a detection.
+/// The toolkit's minimum visibility of a target, below which it ignores detections.
 constexpr double kFewestVisible = 0.1;
 
 struct DepthImage {
   cv::Mat pixels;           ///< CV_16UC1, times the scale: z [mm]; 0 where there is none
-  bool is_cut_off = false;  ///< whether something is farther than a pixel can say
+  bool is_cut_off = false;  ///< whether something is farther than a pixel can represent
 };
 
-/// Of four pixels: what a depth image says of depths [m], or something greater than it can say.
+/// Converts four depths [m] to a depth image's values, or to something greater than it can
+/// represent.
 cv::v_int32x4 rounded(const float* depths, double scale) {
   const cv::v_float32x4 depth = cv::v_load(depths);
-  const cv::v_float32x4 before = depth & (depth > cv::v_setzero_f32());  // below 0 is behind
+  const cv::v_float32x4 before = depth & (depth > cv::v_setzero_f32());  // negative: behind
   const cv::v_float64x2 factor = cv::v_setall_f64(kMillimetres / scale);
   const cv::v_float64x2 too_much = cv::v_setall_f64(kGreatestDepth + 1.0);
   const auto two = [&](const cv::v_float64x2& metres) {
@@ -85,7 +86,7 @@ Json toolkitBox(const std::optional<Box>& box) {
                       wholeNumber(box->width()) - 1, wholeNumber(box->height()) - 1});
 }
 
-/// As the toolkit's pycoco_utils.bbox_from_binary_mask: they are the count.
+/// As the toolkit's pycoco_utils.bbox_from_binary_mask: width and height are the count.
 Json cocoBox(const cv::Rect& pixels) {
   return Json::array({pixels.x, pixels.y, pixels.width, pixels.height});
 }
@@ -101,8 +102,8 @@ Json millimetres(const Eigen::Vector3d& p) { return numbersOf(kMillimetres * p);
 }  // namespace
 
 /// BOP's scene-wise format, for 6D poses: images, depth, masks, poses and models, in millimetres.
-/// https://github.com/thodan/bop_toolkit/blob/master/docs/bop_datasets_format.md; where that says
-/// nothing, as its scripts calc_gt_info.py, calc_gt_coco.py and create_test_targets.py have it.
+/// https://github.com/thodan/bop_toolkit/blob/master/docs/bop_datasets_format.md; details missing
+/// there follow its scripts calc_gt_info.py, calc_gt_coco.py and create_test_targets.py.
 class BopWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -177,7 +178,7 @@ class BopWriter : public LabelWriter {
            static_cast<std::int64_t>(scene.camera_index);
   }
 
-  /// Where a scene's files go, and its camera.
+  /// The place of a scene's files, and its camera.
   [[nodiscard]] BopImage placeOf(const Scene& scene) const {
     BopImage image;
     image.split = scene.splitFolder();
@@ -206,9 +207,9 @@ class BopWriter : public LabelWriter {
             {"cam_t_m2c", millimetres(X_CM.translation())}};
   }
 
-  /// @param depth  as it is written: 0 where it has nothing
+  /// @param depth  as written: 0 where there is none
   [[nodiscard]] static Json infoOf(const SceneObject& object, const cv::Mat& depth) {
-    const Mask& silhouette = object.silhouette();  // empty where subtraction has found nothing
+    const Mask& silhouette = object.silhouette();  // empty if subtraction has found nothing
     cv::Mat valid;
     if (!silhouette.empty()) {
       cv::bitwise_and(depth(silhouette.bounds()) > 0, silhouette.pixels(), valid);
@@ -222,8 +223,8 @@ class BopWriter : public LabelWriter {
             {"visib_fract", object.visibility()}};
   }
 
-  /// Of an object with a visible pixel: its visible mask, in the box around the part of its
-  /// silhouette in the image (calc_gt_coco.py looks at the files in `mask`).
+  /// Adds the annotation of an object with a visible pixel: its visible mask, with the box around
+  /// the part of its silhouette in the image (calc_gt_coco.py uses the files in `mask`).
   void addAnnotation(const SceneObject& object, std::size_t index, const CameraModel& camera,
                      BopImage& image) const {
     const Mask& visible = object.visible_mask();
@@ -262,8 +263,8 @@ class BopWriter : public LabelWriter {
             {"depth_scale", options_.depth_scale}};
   }
 
-  /// What the format has no place for: which object has which obj_id, where its model's origin is
-  /// in its frame [mm], which cameras there are, and whether scene_camera.json alone has their
+  /// Information for which the format has no place: the obj_id of each object, the position of its
+  /// model's origin in its frame [mm], the cameras, and whether only scene_camera.json has their
   /// intrinsics.
   [[nodiscard]] Json datasetInfo() const {
     Json objects = Json::array();

@@ -19,7 +19,7 @@ DrawnLabel labelOf(const std::string& line, const std::filesystem::path& file) {
   return label;
 }
 
-// The vertices are in a frame of the user's: where they are on the image, no file says.
+// The vertices are in a frame chosen by the user; no file tells where they are in the image.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(scene.file(".png"), cv::IMREAD_COLOR), {}};
   const std::filesystem::path file = scene.file(".txt");

@@ -5,12 +5,13 @@
 
 namespace synthetic_dataset {
 
-/// 3D labels: `N.png` and, with a line an object, `N.txt`: the id, then x, y, z [m] of each vertex
-/// of the bounding shape in the frame `output_frame`, for objects in view and out of view alike.
+/// 3D labels: `N.png` and, with one line per object, `N.txt`: the id, then x, y, z [m] of each
+/// vertex of the bounding shape in the frame `output_frame`, for objects in view and out of view
+/// alike.
 class BoundingShapeWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    parameters.ignore("tf_timeout");  // of nn_data_collection
+    parameters.ignore("tf_timeout");  // a parameter of nn_data_collection
     output_frame_ = parameters.required<std::string>("output_frame");
     global_frame_ = dataset.global_frame;
   }

@@ -44,7 +44,7 @@ std::string cameraJson(const Scene& scene) {
   const Eigen::Matrix3d R_GB = scene.X_GC.linear() * R_CB;
   const Eigen::Vector3d p_G = scene.X_GC.translation();
   const Intrinsics& intrinsics = scene.camera.intrinsics();
-  // Straight up or down, roll and yaw turn about one axis: all of it is yaw.
+  // Looking straight up or down, roll and yaw rotate about the same axis: all of it counts as yaw.
   constexpr double kUpright = 1e-9;
   const bool is_upright = std::hypot(R_GB(2, 1), R_GB(2, 2)) < kUpright;
   const Json extrinsic = {{"x", p_G.x()},

@@ -9,16 +9,16 @@
 namespace synthetic_dataset {
 namespace {
 
-/// The greatest label for which all of its instances' numbers have 16 bits.
+/// The greatest label whose instances' numbers all fit into 16 bits.
 constexpr int kGreatestLabel = 64;
 
-/// Whether a number is that of a label that Cityscapes trains and evaluates.
+/// Whether a number is that of a label that Cityscapes uses in training and evaluation.
 bool isEvaluated(int id) {
   const CityscapesEntry* entry = entryOf(cityscapesOwnTable(), id);
   return entry != nullptr && entry->train_id != kCityscapesIgnored;
 }
 
-/// Labels of the dataset's own: the world and its classes are trained in this order.
+/// The table of the dataset's own labels; train ids follow the order of entries.
 CityscapesTable tableOf(const CityscapesOptions& options) {
   CityscapesTable table = {{"unlabeled", 0}};
   const auto add = [&](const std::string& name, int id, int train_id, bool has_instances) {
@@ -45,7 +45,7 @@ CityscapesTable tableOf(const CityscapesOptions& options) {
   return table;
 }
 
-/// @param is_own  whether labels are Cityscapes' own: then each has to be one of these
+/// @param is_own  whether labels are Cityscapes' own; then each has to be one of them
 void readWorldLabels(Parameters& ids, const std::vector<std::string>& names, bool is_own,
                      CityscapesOptions& options) {
   int next = 1;
@@ -80,7 +80,7 @@ CityscapesOptions readCityscapesOptions(Parameters& parameters,
   Parameters ids = parameters.group("label_ids");
   bool all_are_own = options.world_id == 0 || isEvaluated(options.world_id);
   for (const ClassInfo& each : classes) {
-    // 0 is what has no label.
+    // 0 is reserved for unlabeled.
     const auto given = ids.maybe<int>(each.name);
     all_are_own = all_are_own && given && isEvaluated(*given);
     const int id = given.value_or(each.id + 1);
@@ -96,7 +96,7 @@ CityscapesOptions readCityscapesOptions(Parameters& parameters,
                                           ", which is also the label of the class '" + each.name +
                                           "'; it should be another");
     }
-    // An error that is noted ends the run; until then, any label will do.
+    // The error ends the run; until then, any label will do.
     options.labels.push_back({each.name, id < 1 || id > kGreatestLabel ? 1 : id, each.id});
   }
   if (options.world_id < 0 || options.world_id > kGreatestLabel) options.world_id = 0;

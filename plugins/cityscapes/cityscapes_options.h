@@ -7,16 +7,16 @@
 
 namespace synthetic_dataset {
 
-/// An instance's number is this times its label's, and more; objects of a label that has as many
-/// already are a group.
+/// An instance's number is its label's number times this, plus an index; objects beyond this many
+/// per label form a group.
 inline constexpr int kCityscapesInstances = 1000;
 
 /// The settings of a Cityscapes writer.
 struct CityscapesOptions {
   std::vector<CityscapesLabel> labels;  ///< of each class
-  int world_id = 0;                     ///< the label of the world; 0: it is unlabeled
+  int world_id = 0;                     ///< the label of the world; 0: unlabeled
   std::vector<CityscapesLabel> world;   ///< the labels of the world's classes
-  CityscapesTable table;                ///< of all labels: Cityscapes' own, or that of the classes
+  CityscapesTable table;  ///< all labels: Cityscapes' own table, or one of the classes
 };
 
 [[nodiscard]] CityscapesOptions readCityscapesOptions(

@@ -13,8 +13,8 @@
 namespace synthetic_dataset::formats::cityscapes {
 namespace {
 
-/// Names by label (classes may share one), where the table is there: it is written when a dataset
-/// is complete.
+/// Names by label (classes may share one), if the table exists: it is written when a dataset is
+/// complete.
 std::map<int, std::vector<std::string>> namesIn(const std::filesystem::path& file) {
   std::map<int, std::vector<std::string>> names;
   if (!std::filesystem::exists(file)) return names;
@@ -26,7 +26,8 @@ std::map<int, std::vector<std::string>> namesIn(const std::filesystem::path& fil
   return names;
 }
 
-// Cityscapes: a picture of instances, label * 1000 + number; smaller numbers are labels alone.
+// Cityscapes: a picture of instances, label * 1000 + number; smaller numbers are labels without an
+// instance.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(scene.file("_leftImg8bit.png"), cv::IMREAD_COLOR), {}};
   const cv::Mat instances =

@@ -7,10 +7,10 @@
 
 namespace synthetic_dataset {
 
-/// What neither training nor evaluation looks at has this train id.
+/// The train id of labels that training and evaluation ignore.
 inline constexpr int kCityscapesIgnored = 255;
 
-/// A label as cityscapesscripts/helpers/labels.py has it.
+/// A label in the form used by cityscapesscripts/helpers/labels.py.
 struct CityscapesEntry {
   std::string name;
   int id = 0;
@@ -27,14 +27,14 @@ using CityscapesTable = std::vector<CityscapesEntry>;
 /// Cityscapes' own labels, 0 to 33 in this order.
 [[nodiscard]] const CityscapesTable& cityscapesOwnTable();
 
-/// The label of a number; null where the table has none.
+/// The label with a number; null if the table has none.
 [[nodiscard]] const CityscapesEntry* entryOf(const CityscapesTable& table, int id);
 
-/// The table as JSON, for people and for programs that replace their own by it.
+/// Writes the table as JSON, for people and for programs that replace their own table with it.
 void writeLabelTable(std::ostream& stream, const CityscapesTable& table);
 
-/// Datumaro's `label_colors.txt`: the labels that are trained, in the order of their train ids,
-/// each with its colour; names are single words there.
+/// Writes Datumaro's `label_colors.txt`: the labels used in training, in the order of their train
+/// ids, each with its colour; names in that file are single words.
 void writeLabelColours(std::ostream& stream, const CityscapesTable& table);
 
 }  // namespace synthetic_dataset

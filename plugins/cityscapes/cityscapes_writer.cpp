@@ -19,15 +19,15 @@
 namespace synthetic_dataset {
 namespace {
 
-/// Which file names are an image's: `<city>_<sequence>_<frame>` with six digits each. The frame is
-/// the one that Cityscapes labels of each sequence of 30.
+/// The stem of an image's file names: `<city>_<sequence>_<frame>` with six digits each. The frame
+/// is the one of 30 that Cityscapes labels in each sequence.
 std::string imageName(const std::string& city, std::int64_t instant) {
   std::array<char, 32> digits{};
   std::snprintf(digits.data(), digits.size(), "_%06lld_000019", static_cast<long long>(instant));
   return city + digits.data();
 }
 
-/// What pixels of one instance are in the pictures.
+/// The values of one instance's pixels in the pictures.
 struct PixelValues {
   uchar label = 0;
   ushort instance = 0;
@@ -35,9 +35,9 @@ struct PixelValues {
 
 }  // namespace
 
-/// Cityscapes: `leftImg8bit/<split>/<city>/` with images (and `imgsFine/leftImg8bit/`, where some
-/// releases have them), `gtFine/<split>/<city>/` with pictures of labels, instances and colours and
-/// with polygons, `camera/<split>/<city>/`; a camera is a city.
+/// Cityscapes: `leftImg8bit/<split>/<city>/` with images (also in `imgsFine/leftImg8bit/`, as in
+/// some releases), `gtFine/<split>/<city>/` with pictures of labels, instances and colours and with
+/// polygons, `camera/<split>/<city>/`; a camera is a city.
 /// https://github.com/mcordts/cityscapesScripts
 class CityscapesWriter : public LabelWriter {
  private:
@@ -72,7 +72,7 @@ class CityscapesWriter : public LabelWriter {
     auto instance_ids =
         mapped<ushort>(instances, [&](ushort instance) { return values.at(instance).instance; });
     std::vector<CityscapesPolygon> of_world = addWorld(scene, labels, instance_ids);
-    polygons.insert(polygons.begin(), of_world.begin(), of_world.end());  // objects stand before it
+    polygons.insert(polygons.begin(), of_world.begin(), of_world.end());  // behind the objects
 
     output.addImage("leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
     output.addImage("imgsFine/leftImg8bit/" + name + "_leftImg8bit.png", scene.image);
@@ -88,8 +88,9 @@ class CityscapesWriter : public LabelWriter {
     warnOfDistortion(scene.camera, output);
   }
 
-  /// What pixels of each instance are, and the polygons of those with a label. Objects without a
-  /// label stay unlabeled; of one label, those after the 1000th are a group, as Cityscapes has it.
+  /// Returns the pixel values of each instance, and adds the polygons of those with a label.
+  /// Objects without a label stay unlabeled; objects of one label after the 1000th form a group, as
+  /// in Cityscapes.
   [[nodiscard]] std::vector<PixelValues> valuesOf(const Scene& scene,
                                                   std::vector<CityscapesPolygon>& polygons,
                                                   SceneOutput& output) const {
@@ -117,7 +118,7 @@ class CityscapesWriter : public LabelWriter {
     return values;
   }
 
-  /// Gives the world's classes their labels, and a polygon each.
+  /// Draws the labels of the world's classes, and returns a polygon for each.
   [[nodiscard]] std::vector<CityscapesPolygon> addWorld(const Scene& scene, cv::Mat_<uchar>& labels,
                                                         cv::Mat_<ushort>& instances) const {
     std::vector<CityscapesPolygon> polygons;

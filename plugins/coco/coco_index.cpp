@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Another buffer's bytes one by one, counted.
+/// Passes on another buffer's bytes one by one, and counts them.
 class CountingBuffer : public std::streambuf {
  public:
   explicit CountingBuffer(std::streambuf& source) : source_(source) {}
@@ -34,8 +34,9 @@ class CountingBuffer : public std::streambuf {
 
 }  // namespace
 
-/// Hears the parser's events (nlohmann's SAX interface). An entry is an object in a list that is a
-/// member of the file's one object; the parser has just read its last brace when it ends.
+/// Handles the parser's events (nlohmann's SAX interface). An entry is an object in a list that is
+/// a member of the file's top-level object; when the event of its end arrives, the parser has just
+/// read its last brace.
 class CocoIndex::Reader {
  public:
   Reader(CocoIndex& index, const CountingBuffer& buffer) : index_(index), buffer_(buffer) {}
@@ -109,8 +110,8 @@ class CocoIndex::Reader {
   CocoIndex& index_;
   const CountingBuffer& buffer_;
   int depth_ = 0;
-  std::string list_;  ///< the member of the file's object
-  std::string key_;   ///< of the entry
+  std::string list_;  ///< key of the current list in the file's object
+  std::string key_;   ///< current key in the entry
   Place place_;
   std::optional<std::int64_t> id_;
   std::optional<std::int64_t> image_id_;

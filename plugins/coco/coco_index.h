@@ -11,25 +11,25 @@
 
 namespace synthetic_dataset::formats::coco {
 
-/// Where the entries of a COCO annotation file stand in it, so that a scene's can be read alone: a
-/// dataset's file may be larger than the memory.
+/// An index of the entries' positions in a COCO annotation file, so that one scene's entries can be
+/// read on their own: a dataset's file may be larger than memory.
 class CocoIndex {
  public:
   /// Reads the file once, entry by entry.
-  /// @throws Error where it is no such file
+  /// @throws Error if it is not such a file
   explicit CocoIndex(const std::filesystem::path& file);
 
   /// The id of an image.
-  /// @param file_name  as the file has it
+  /// @param file_name  as written in the file
   [[nodiscard]] std::optional<std::int64_t> imageId(const std::string& file_name) const;
 
-  /// @throws Error where they are not the JSON that stood there before
+  /// @throws Error if the file has changed and they are no longer valid JSON
   [[nodiscard]] std::vector<nlohmann::json> annotationsOf(std::int64_t image_id) const;
 
   [[nodiscard]] const std::vector<nlohmann::json>& categories() const { return categories_; }
 
  private:
-  /// Some bytes of the file.
+  /// A range of bytes in the file.
   struct Place {
     std::int64_t begin = 0;
     std::int64_t end = 0;

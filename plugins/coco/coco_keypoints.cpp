@@ -8,14 +8,14 @@
 namespace synthetic_dataset {
 namespace {
 
-/// A class's keypoints while its objects' are gathered. A name that an object has for the second
-/// time is another keypoint than the first of this name.
+/// A class's keypoints while those of its objects are being gathered. If an object has a name
+/// twice, these are two different keypoints.
 struct Gathered {
-  std::map<std::pair<std::string, int>, std::size_t> places;  ///< by name, and which of this name
+  std::map<std::pair<std::string, int>, std::size_t> places;  ///< by name and its occurrence
   std::set<std::array<std::size_t, 2>> lines;
 };
 
-/// The place in `names` of each of an object's names; those that lack there are added.
+/// The index in `names` of each of an object's names; missing ones are added.
 std::vector<std::size_t> placesIn(ClassKeypoints& keypoints, Gathered& gathered,
                                   const std::vector<std::string>& of_object) {
   std::map<std::string, int> counts;
@@ -57,7 +57,7 @@ CocoKeypoints::CocoKeypoints(const DatasetInfo& dataset, const std::vector<std::
   if (is_padded) pad(dataset.classes);
 }
 
-/// Names for what no object of a class has.
+/// Adds names for keypoints that no object of a class has.
 void CocoKeypoints::pad(const std::vector<ClassInfo>& classes) {
   std::size_t most = 0;
   for (const auto& [class_id, keypoints] : classes_) most = std::max(most, keypoints.names.size());

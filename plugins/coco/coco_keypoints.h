@@ -11,16 +11,17 @@
 
 namespace synthetic_dataset {
 
-/// COCO's visibility flag: 0 no place in the image, 1 hidden, 2 visible.
+/// COCO's visibility flag: 0 not in the image, 1 hidden, 2 visible.
 [[nodiscard]] inline int cocoFlag(const Keypoint& keypoint) {
   if (!keypoint.pixel || keypoint.state() == KeypointState::kOutside) return 0;
   return keypoint.state() == KeypointState::kVisible ? 2 : 1;
 }
 
-/// COCO's keypoints belong to classes: all of a class have the same ones, in the same order.
+/// COCO's keypoints belong to classes: all objects of a class have the same ones, in the same
+/// order.
 struct ClassKeypoints {
-  std::vector<std::string> names;                    ///< of all its objects' keypoints, each once
-  std::vector<std::array<std::size_t, 2>> skeleton;  ///< places in `names`, each pair once
+  std::vector<std::string> names;  ///< of all its objects' keypoints, without repetition
+  std::vector<std::array<std::size_t, 2>> skeleton;  ///< indices into `names`, each pair once
 };
 
 class CocoKeypoints {
@@ -29,7 +30,7 @@ class CocoKeypoints {
   CocoKeypoints() = default;
 
   /// @param of_classes  names of the classes that have keypoints; empty: all
-  /// @param is_padded  whether all classes have as many names as the one with most
+  /// @param is_padded  whether all classes have as many names as the class with the most
   CocoKeypoints(const DatasetInfo& dataset, const std::vector<std::string>& of_classes,
                 bool is_padded);
 
@@ -39,11 +40,11 @@ class CocoKeypoints {
                        [](const auto& each) { return !each.second.names.empty(); });
   }
 
-  /// Those of a class; empty where its objects have none.
+  /// The keypoints of a class; empty if its objects have none.
   [[nodiscard]] const ClassKeypoints& of(int class_id) const;
 
-  /// The keypoints of an object as its class orders them: for each of the class's names the place
-  /// in the object's own list, or `kNone` where it has no such keypoint.
+  /// The keypoints of an object in its class's order: for each of the class's names, the index in
+  /// the object's own list, or `kNone` if it has no such keypoint.
   /// @param object  its index in DatasetInfo::objects
   [[nodiscard]] std::vector<std::size_t> places(std::size_t object) const;
 
@@ -52,9 +53,9 @@ class CocoKeypoints {
  private:
   void pad(const std::vector<ClassInfo>& classes);
 
-  std::map<int, ClassKeypoints> classes_;  // that have keypoints
+  std::map<int, ClassKeypoints> classes_;  // only classes that have keypoints
   std::vector<int> class_of_object_;
-  std::vector<std::vector<std::size_t>> name_places_;  // by object and keypoint: in its class
+  std::vector<std::vector<std::size_t>> name_places_;  // in its class, by object, keypoint
 };
 
 }  // namespace synthetic_dataset

@@ -11,22 +11,22 @@ namespace synthetic_dataset {
 
 /// The settings of a COCO writer.
 struct CocoOptions {
-  bool as_polygons = false;  ///< masks are polygons, otherwise run lengths
+  bool as_polygons = false;  ///< masks are polygons, otherwise run-length encoded
   std::string image_format = "png";
   BoxChoice box = BoxChoice::kVisible;
   bool panoptic = false;
-  std::string background;  ///< the panoptic category of the world; empty: it is void
+  std::string background;  ///< the panoptic category of the world; empty: void
   bool keypoints = true;
-  std::vector<std::string> keypoint_classes;  ///< that have keypoints; empty: all
-  bool pad_keypoints = false;                 ///< all annotations have as many
-  std::map<std::string, int> category_ids;    ///< by class; others have their class's number + 1
-  std::string annotation_file = "instances";  ///< the annotation files' name before the split's
+  std::vector<std::string> keypoint_classes;  ///< classes that have keypoints; empty: all
+  bool pad_keypoints = false;                 ///< all annotations have the same number
+  std::map<std::string, int> category_ids;    ///< by class; other classes have their number + 1
+  std::string annotation_file = "instances";  ///< the annotation files' prefix, before the split
 };
 
-/// What panoptic files are called before the split's name.
+/// The prefix of the panoptic files' names, before the split's.
 inline constexpr const char* kCocoPanoptic = "panoptic";
 
-/// The parameter `annotation_file`.
+/// Reads the parameter `annotation_file`.
 [[nodiscard]] inline std::string readAnnotationFile(Parameters& parameters) {
   std::string name = parameters.optional<std::string>("annotation_file", "instances");
   if (name.rfind(kCocoPanoptic, 0) == 0 || safeFileName(name) != name) {
@@ -39,7 +39,7 @@ inline constexpr const char* kCocoPanoptic = "panoptic";
   return name;
 }
 
-/// The parameter `category_ids`. Loaders take 0 for "nothing".
+/// Reads the parameter `category_ids`. Ids start at 1 because loaders take 0 for "nothing".
 [[nodiscard]] inline std::map<std::string, int> readCategoryIds(Parameters& parameters) {
   std::map<std::string, int> ids;
   Parameters given = parameters.group("category_ids");

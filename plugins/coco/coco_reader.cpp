@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The annotation file that knows an image, and the image's number in it.
+/// The annotation file that contains an image, and the image's id in it.
 struct ImageEntry {
   fs::path file;
   std::shared_ptr<const CocoIndex> index;
@@ -30,7 +30,7 @@ struct ImageEntry {
 
 std::vector<fs::path> annotationFiles(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code error;  // no folder has no files
+  std::error_code error;  // a missing folder has no files
   for (fs::directory_iterator each(folder, error), end; !error && each != end;
        each.increment(error)) {
     const fs::path& file = each->path();
@@ -109,7 +109,7 @@ DrawnLabel labelOf(const json& annotation, const json& category, const cv::Size&
 }
 
 // COCO: boxes, run lengths or polygons in coordinates in which the image spans 0 to its width;
-// keypoints in those in which pixels' centres are whole.
+// keypoints in those in which pixel centres are integers.
 LabelledPicture readScene(const WrittenScene& scene) {
   const fs::path images = scene.folder / "images";
   const auto image = std::find_if(

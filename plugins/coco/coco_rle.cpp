@@ -9,12 +9,12 @@
 namespace synthetic_dataset::formats::coco {
 namespace {
 
-/// As rleFrString of common/maskApi.c in https://github.com/cocodataset/cocoapi has it: letters
-/// hold five bits, lowest first; a sixth says that the number goes on; the last one's highest bit
-/// is the sign. From the fourth on, a number is the difference from the one before the last.
+/// As rleFrString of common/maskApi.c in https://github.com/cocodataset/cocoapi: letters hold five
+/// bits, lowest first; a sixth bit says that the number continues; the highest bit of the last
+/// letter is the sign. From the fourth on, a number is the difference from the second to last one.
 std::vector<std::int64_t> runsOf(const std::string& counts) {
   constexpr int kFirstLetter = 48;
-  constexpr int kMostGroups = 12;  // of five bits, in 64
+  constexpr int kMostGroups = 12;  // of five bits, in 64 bits
   std::vector<std::int64_t> runs;
   std::int64_t run = 0;
   int groups = 0;
@@ -38,7 +38,7 @@ std::vector<std::int64_t> runsOf(const std::string& counts) {
 }  // namespace
 
 cv::Mat maskOfCocoCounts(const std::string& counts, const cv::Size& size) {
-  cv::Mat columns(size.width, size.height, CV_8UC1, cv::Scalar(0));  // a row of it is a column
+  cv::Mat columns(size.width, size.height, CV_8UC1, cv::Scalar(0));  // transposed
   const auto total = static_cast<std::int64_t>(columns.total());
   std::int64_t place = 0;
   bool on = false;

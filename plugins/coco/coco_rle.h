@@ -6,8 +6,8 @@
 
 namespace synthetic_dataset::formats::coco {
 
-/// The mask that COCO's compressed run lengths stand for: CV_8UC1, 255 on it.
-/// @throws Error where they are not those of a mask of this size
+/// Decodes a mask from COCO's compressed run lengths: CV_8UC1, 255 on the mask.
+/// @throws Error if they do not encode a mask of this size
 [[nodiscard]] cv::Mat maskOfCocoCounts(const std::string& counts, const cv::Size& size);
 
 }  // namespace synthetic_dataset::formats::coco

@@ -42,8 +42,8 @@ Json segmentationOf(const Mask& mask, bool as_polygons) {
 
 /// COCO: instances, keypoints and, if asked for, panoptic segmentation.
 /// https://cocodataset.org/#format-data, read by pycocotools. Boxes and polygons have coordinates
-/// in which the image spans 0 to its width; keypoints those in which pixels' centres are whole
-/// (detectron2's loader adds half a pixel to keypoints alone).
+/// in which the image spans 0 to its width; keypoints have those in which pixel centres are
+/// integers (detectron2's loader adds half a pixel to keypoints only).
 class CocoWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -84,7 +84,7 @@ class CocoWriter : public LabelWriter {
     }
   }
 
-  /// Each category has an id of its own.
+  /// Checks that each category has an id of its own.
   void checkIds(WriterParameters& parameters) const {
     std::map<int, std::string> names;
     std::vector<std::string> all;
@@ -150,7 +150,7 @@ class CocoWriter : public LabelWriter {
     return std::string(kCocoPanoptic) + "_" + split;
   }
 
-  // What the records of a scene are: entries of a list in one of the files.
+  // The lists in the files to which a scene's records belong as entries.
   static constexpr const char* kImages = "images";
   static constexpr const char* kAnnotations = "annotations";
   static constexpr const char* kPanoptic = "panoptic";
@@ -184,8 +184,8 @@ class CocoWriter : public LabelWriter {
               {"stamp_ns", scene.stamp.count()}}}};
   }
 
-  /// Ids are unique in all splits together and do not depend on other scenes, so parts of a dataset
-  /// can be made apart and merged.
+  /// Ids are unique in all splits together and do not depend on other scenes, so that parts of a
+  /// dataset can be made separately and merged.
   [[nodiscard]] Json annotationOf(const Scene& scene, const SceneObject& object,
                                   const Box& box) const {
     Json annotation = {
@@ -196,7 +196,7 @@ class CocoWriter : public LabelWriter {
         {"area", object.visible_mask().count()},
         {"iscrowd", 0},
         {"segmentation", segmentationOf(object.visible_mask(), options_.as_polygons)}};
-    // COCOeval wants keypoints of all annotations or of none.
+    // COCOeval requires keypoints in all annotations or in none.
     if (keypoints_.any()) addKeypoints(object, annotation);
     Json more = {{"object", object.name},
                  {"id", object.id},
@@ -208,7 +208,7 @@ class CocoWriter : public LabelWriter {
     return annotation;
   }
 
-  /// What is visible of the object's parts, where it has any.
+  /// Adds the visible portions of the object's parts, if it has any.
   void addParts(const Scene& scene, const SceneObject& object, Json& more) const {
     const ObjectInfo& info = objects_.at(static_cast<std::size_t>(object.instance) - 1);
     if (info.part_names.empty()) return;
@@ -238,12 +238,12 @@ class CocoWriter : public LabelWriter {
     annotation["num_keypoints"] = count;
   }
 
-  /// A segment's number in the colours of a panoptic picture: blue, green, red.
+  /// A segment's id encoded as the colour of a panoptic picture: blue, green, red.
   [[nodiscard]] static cv::Vec3b panopticColour(int id) {
     return {static_cast<uchar>(id >> 16), static_cast<uchar>(id >> 8), static_cast<uchar>(id)};
   }
 
-  /// A segment's id in the image is the object's place among all objects, from 1; those of the
+  /// A segment's id in the image is the object's number among all objects, from 1; those of the
   /// world's classes follow.
   void writePanoptic(const Scene& scene, const std::vector<const SceneObject*>& labelled,
                      SceneOutput& output) const {
@@ -283,7 +283,7 @@ class CocoWriter : public LabelWriter {
                                                             {"segments_info", segments}}));
   }
 
-  /// Where one of the world's classes is seen, or, as the last of them, the rest of the world.
+  /// The visible mask of one of the world's classes or, for the last one, of the rest of the world.
   [[nodiscard]] cv::Mat stuffMask(const Scene& scene, std::size_t stuff) const {
     cv::Mat mask = scene.instance_map() == 0;
     if (!has_world_classes_) return mask;
@@ -316,7 +316,7 @@ class CocoWriter : public LabelWriter {
   }
 
   [[nodiscard]] Json panopticCategories() const {
-    const std::vector<cv::Vec3b> colours = vocColourMap();  // the first is black, as void is
+    const std::vector<cv::Vec3b> colours = vocColourMap();  // the first is black, which means void
     Json categories = Json::array();
     const auto add = [&](int id, const std::string& name, bool is_thing) {
       const cv::Vec3b& colour = colours[1 + categories.size() % (colours.size() - 1)];
@@ -331,7 +331,8 @@ class CocoWriter : public LabelWriter {
     return categories;
   }
 
-  /// Of what scenes are made of. Images name none of them: each shows several.
+  /// The licences of the files from which scenes are made. Images refer to none of them, as each
+  /// shows several.
   [[nodiscard]] static Json licensesOf(const std::vector<CreditInfo>& credits) {
     Json licenses = Json::array();
     for (const CreditInfo& credit : credits) {
@@ -369,7 +370,7 @@ class CocoWriter : public LabelWriter {
   CocoOptions options_;
   CocoKeypoints keypoints_;
   std::vector<ClassInfo> classes_;
-  std::vector<std::string> stuff_;  ///< names of the world's classes, and of the rest of it
+  std::vector<std::string> stuff_;  ///< names of the world's classes and of its rest
   bool has_world_classes_ = false;
   std::vector<ObjectInfo> objects_;
   std::int64_t object_count_ = 0;

@@ -6,8 +6,8 @@ namespace synthetic_dataset {
 
 /// The dialects of one format. In both, locations are in the camera's frame.
 enum class DopeStyle {
-  kDope,  ///< of DOPE's own generators: metres, the centre as the ninth point
-  kNdds,  ///< of NVIDIA's Unreal plugin: centimetres, the centre apart
+  kDope,  ///< DOPE's own generators: metres, the centre as the ninth point
+  kNdds,  ///< NVIDIA's Unreal plugin: centimetres, the centre as a separate member
 };
 
 /// The settings of a DOPE writer.

@@ -14,7 +14,7 @@ cv::Point2d pointOf(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>()};
 }
 
-/// Both styles' box.
+/// The box in either style.
 std::optional<Box> boxOf(const Json& object) {
   if (const auto ndds = object.find("bounding_box"); ndds != object.end()) {
     const cv::Point2d low = pointOf(ndds->at("top_left"));  // row, column
@@ -27,7 +27,7 @@ std::optional<Box> boxOf(const Json& object) {
              dope->at(1).get<double>() + 0.5, dope->at(3).get<double>() + 0.5};
 }
 
-/// NDDS has centimetres.
+/// The pose in metres; NDDS uses centimetres.
 Pose poseOf(const Json& object) {
   const double metre = object.contains("pose_transform") ? 100.0 : 1.0;
   const auto p = object.at("location").get<std::array<double, 3>>();
@@ -44,7 +44,7 @@ DrawnLabel labelOf(const Json& object) {
   if (object.contains("quaternion_xyzw")) label.X_CO = poseOf(object);
   label.box = boxOf(object);
   const Json& places = object.at("projected_cuboid");
-  for (std::size_t i = 0; i < 4; ++i) {  // the upper face, the lower face, what lies between
+  for (std::size_t i = 0; i < 4; ++i) {  // upper face, lower face, edges between
     const std::size_t next = (i + 1) % 4;
     label.lines.push_back({pointOf(places.at(i)), pointOf(places.at(next))});
     label.lines.push_back({pointOf(places.at(i + 4)), pointOf(places.at(next + 4))});

@@ -16,21 +16,21 @@ namespace {
 constexpr std::size_t kCorners = 8;
 
 /// The cuboid's corners in the order of DOPE, NDDS and nvdu, in the object's frame with x ahead, y
-/// left and z up (add_cuboid in data_generation/nvisii_data_gen/utils.py), as places in
+/// left and z up (add_cuboid in data_generation/nvisii_data_gen/utils.py), as indices into
 /// Cuboid::corners().
 constexpr std::array<std::size_t, kCorners> kCornerOrder = {0b101, 0b001, 0b011, 0b111,
                                                             0b100, 0b000, 0b010, 0b110};
 
 Json placeOf(const Eigen::Vector2d& pixel) { return Json::array({pixel.x(), pixel.y()}); }
 
-/// x, y, z, w; of the two that are the same turn, the one with w >= 0.
+/// x, y, z, w; of the two that represent the same rotation, the one with w >= 0.
 Json quaternionOf(const Pose& pose) {
   Eigen::Quaterniond q(pose.linear());
   if (q.w() < 0.0) q.coeffs() *= -1.0;
   return Json::array({q.x(), q.y(), q.z(), q.w()});
 }
 
-/// 4 x 4 for row vectors, p_A = p_B * M: the translation stands in the last row, as in NDDS.
+/// 4 x 4 for row vectors, p_A = p_B * M: the translation is in the last row, as in NDDS.
 Json transposedMatrix(const Pose& pose, double scale) {
   Json rows = Json::array();
   for (int column = 0; column < 3; ++column) {
@@ -42,7 +42,7 @@ Json transposedMatrix(const Pose& pose, double scale) {
   return rows;
 }
 
-/// A cuboid in the camera's frame and on its image.
+/// A cuboid in the camera's frame and projected onto its image.
 struct ProjectedCuboid {
   std::array<Eigen::Vector3d, kCorners> corners_C;  ///< in the formats' order
   Eigen::Vector3d centre_C = Eigen::Vector3d::Zero();
@@ -50,7 +50,7 @@ struct ProjectedCuboid {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
 };
 
-/// Nothing where a corner has no place on the camera's image or beside it.
+/// Nothing if a corner does not project onto the camera's image plane.
 std::optional<ProjectedCuboid> projected(const SceneObject& object, const CameraModel& camera) {
   ProjectedCuboid cuboid;
   const auto corners_O = object.cuboid_O.corners();
@@ -92,8 +92,8 @@ void addDopeShape(const SceneObject& object, const ProjectedCuboid& cuboid, Json
   entry["projected_cuboid"].push_back(placeOf(cuboid.centre));
 }
 
-/// NDDS has rows before columns, from the image's edge; DOPE's generators the first and the last
-/// column and row.
+/// Adds the box: NDDS has rows before columns, counted from the image's edge; DOPE's generators
+/// have the first and last column and row.
 void addBox(const Box& box, DopeStyle style, Json& entry) {
   if (style == DopeStyle::kNdds) {
     entry["bounding_box"] = {{"top_left", {box.top + 0.5, box.left + 0.5}},
@@ -208,7 +208,7 @@ class DopeWriter : public LabelWriter {
         const CameraDescription& camera = dataset_.cameras[i];
         const std::string folder = folderOf(split, i);
         output.addText(folder + "_object_settings.json", objects);
-        // Where each image has intrinsics of its own, they are in its `camera_data` alone.
+        // If each image has its own intrinsics, they are only in its `camera_data`.
         if (camera.intrinsics_vary) continue;
         output.addText(folder + "_camera_settings.json", indentedJson(cameraSettings(camera)));
       }
@@ -249,7 +249,7 @@ class DopeWriter : public LabelWriter {
                        {"segmentation_class_id", object.class_id},
                        {"segmentation_instance_id", i + 1},
                        {"fixed_model_transform", transposedMatrix(Pose::Identity(), 1.0)}};
-      // No one size is true of an object that has several.
+      // An object with several models has no single size.
       if (!object.model_varies) {
         settings["cuboid_dimensions"] = numbersOf(unitsInAMetre(options_.style) * sizes_[i]);
       }

@@ -41,7 +41,7 @@ Each split's folder packs into a WebDataset shard:
     tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --exclude=metadata.jsonl -cf train.tar -C train .
 )";
 
-/// A list, each with the files: who publishes the dataset has to name them.
+/// Lists the authors with their files: whoever publishes the dataset has to name them.
 void writeCredits(std::ostream& file, const std::vector<CreditInfo>& credits) {
   if (credits.empty()) return;
   file << "\nMade of these files, as far as they say who made them and under which licence:\n\n";

@@ -25,13 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Where in a file of JSON lines each image's line begins.
+/// The position of each image's line in a file of JSON lines.
 class LineIndex {
  public:
-  /// @throws Error where a line is no JSON with a `file_name`
+  /// @throws Error if a line is not JSON with a `file_name`
   explicit LineIndex(const std::filesystem::path& file);
 
-  /// @throws Error where there is no line of this `file_name`
+  /// @throws Error if there is no line with this `file_name`
   [[nodiscard]] json line(const std::string& file_name) const;
 
  private:
@@ -67,7 +67,7 @@ json LineIndex::line(const std::string& file_name) const {
 }
 
 CameraModel cameraOf(const json& line) {
-  constexpr double kNear = 1e-3;  // the line has no range of sight
+  constexpr double kNear = 1e-3;  // the line has no near and far limits
   constexpr double kFar = 1e6;
   const json& camera = line.at("camera");
   const auto k = camera.at("K").get<std::array<double, 9>>();
@@ -92,7 +92,7 @@ Pose poseOf(const json& numbers) {
   return X_AB;
 }
 
-/// The label of the object that is the `i`th of the lists.
+/// The label of the `i`th object in the lists.
 DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
                    const CameraModel& camera) {
   DrawnLabel label;
@@ -116,7 +116,8 @@ DrawnLabel labelOf(const json& objects, std::size_t i, const cv::Mat& instances,
   return label;
 }
 
-// Hugging Face's imagefolder: <split>/metadata.jsonl with a line an image, paths relative to it.
+// Hugging Face's imagefolder: <split>/metadata.jsonl with one line per image and paths relative to
+// that file.
 LabelledPicture readScene(const WrittenScene& scene) {
   const auto image =
       std::find_if(scene.files.begin(), scene.files.end(), [&](const fs::path& file) {
@@ -148,7 +149,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// Normals whose colours of 8 bits these are, as far as they say.
+/// Decodes normals from their 8-bit colours, with that precision.
 cv::Mat normalsOf(const cv::Mat_<cv::Vec3b>& colours) {
   const auto coordinate = [](uchar byte) { return static_cast<float>(byte) / 127.5F - 1.0F; };
   cv::Mat_<cv::Vec3f> normals(colours.size());

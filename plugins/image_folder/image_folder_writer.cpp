@@ -18,7 +18,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// Eight numbers, of which models with fewer leave the last ones 0, or more where a model has more.
+/// The coefficients, padded with zeros to eight; more if the model has more.
 std::vector<double> numbersOf(const Distortion& distortion) {
   constexpr std::size_t kUsual = 8;
   std::vector<double> numbers = coefficientsOf(distortion);
@@ -27,7 +27,7 @@ std::vector<double> numbersOf(const Distortion& distortion) {
 }
 
 /// Unit normals as colours: red, green and blue are x, y and z from -1 (0) to 1 (255); black where
-/// nothing is.
+/// there is nothing.
 cv::Mat normalPicture(const cv::Mat_<cv::Vec3f>& normals) {
   const auto colour = [](float coordinate) {
     return cv::saturate_cast<uchar>((coordinate + 1.0F) * 0.5F * 255.0F);
@@ -46,7 +46,7 @@ cv::Mat channel(const cv::Mat& picture, int index) {
   return result;
 }
 
-/// What the writer keeps of a scene: a line of metadata, with what belongs to it before it.
+/// What the writer keeps of a scene: a line of metadata, preceded by the split and the fingerprint.
 struct ImageRecord {
   std::string split;
   std::string fingerprint;  ///< of the image
@@ -81,12 +81,13 @@ Json cameraOf(const Scene& scene) {
 
 }  // namespace
 
-/// Hugging Face's `imagefolder`: a folder a split with its images and `metadata.jsonl`, a line an
-/// image. With `webdataset`, each image's line also stands in a file beside it, so that the folder
-/// packs into WebDataset's shards: what belongs to an image differs from it after the first dot.
-/// https://huggingface.co/docs/datasets/image_dataset, https://github.com/webdataset/webdataset
+/// Hugging Face's `imagefolder`: one folder per split with its images and `metadata.jsonl`, one
+/// line per image. With `webdataset`, each image's line is also in a file beside it, so that the
+/// folder can be packed into WebDataset's shards: files that belong to an image differ from it only
+/// after the first dot. https://huggingface.co/docs/datasets/image_dataset,
+/// https://github.com/webdataset/webdataset
 ///
-/// Every line has the same keys with values of the same types, as Arrow's JSON reader wants.
+/// Every line has the same keys with values of the same types, as Arrow's JSON reader requires.
 class ImageFolderWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -163,7 +164,7 @@ class ImageFolderWriter : public LabelWriter {
             {"camera", cameraOf(scene)},     {"objects", objectsOf(scene)}};
   }
 
-  /// A list for each measure, with an entry for each object that has a label.
+  /// One list per property, with an entry for each labelled object.
   [[nodiscard]] Json objectsOf(const Scene& scene) const {
     Json objects = Json::object();
     for (const char* key :
@@ -199,7 +200,7 @@ class ImageFolderWriter : public LabelWriter {
     return objects;
   }
 
-  static constexpr const char* kImages = "images";  // of records: all, for the fingerprint
+  static constexpr const char* kImages = "images";  // channel of all records, for the fingerprint
 
   ImageFolderOptions options_;
   bool has_keypoints_ = false;

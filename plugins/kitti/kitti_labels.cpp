@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kLargestTilt = M_PI / 180.0;  // [rad]
 
-/// In (-pi, pi].
+/// Wraps an angle into (-pi, pi].
 double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
 
-/// Whether the object's z axis differs so much from the camera's upward one that a turn about the
-/// camera's y axis alone does not say how it stands.
+/// Whether the object's z axis deviates so much from the camera's upward axis that a rotation about
+/// the camera's y axis does not describe its orientation.
 bool isTilted(const Pose& X_CO) {
   return std::acos(std::clamp(-X_CO.linear()(1, 2), -1.0, 1.0)) > kLargestTilt;
 }
 
-/// Numbers with a space before each.
+/// The numbers, each preceded by a space.
 std::string columns(const std::vector<double>& numbers) {
   constexpr int kDecimals = 6;
   std::string text;
@@ -30,7 +30,7 @@ std::string columns(const std::vector<double>& numbers) {
   return text;
 }
 
-/// Left, top, right, bottom. Pixels count from the image's edge here, not from the first pixel's
+/// Left, top, right, bottom. KITTI counts pixels from the image's edge, not from the first pixel's
 /// centre.
 std::string boxColumns(const Box& box) {
   return columns({box.left + 0.5, box.top + 0.5, box.right + 0.5, box.bottom + 0.5});
@@ -44,23 +44,22 @@ int occlusionOf(const PixelCounts& pixels) {
   return seen >= 0.5 ? 1 : 2;
 }
 
-/// Tracking has whole numbers where the object benchmark has shares: 0 not, 1 partly, 2 largely out
-/// of the image.
+/// The tracking benchmark has integers where the object benchmark has fractions: 0 not, 1 partly, 2
+/// largely outside the image.
 int truncationOf(double share) {
   constexpr double kNone = 0.01;
   if (share < kNone) return 0;
   return share <= 0.5 ? 1 : 2;
 }
 
-/// The columns behind the type. Length lies along the object's x axis, width along y, height along
-/// z.
+/// The columns after the type. Length is along the object's x axis, width along y, height along z.
 std::string placementOf(const SceneObject& object, const Box& box) {
   const Cuboid& cuboid_O = object.cuboid_O;
   const Eigen::Vector3d centre_O = cuboid_O.centre();
   const Eigen::Vector3d bottom_C =
       *object.X_CO * Eigen::Vector3d(centre_O.x(), centre_O.y(), cuboid_O.low.z());
   const Eigen::Vector3d ahead_C = object.X_CO->linear().col(0);
-  // A turn by rotation_y takes the camera's x axis to (cos, 0, -sin).
+  // A rotation by rotation_y maps the camera's x axis to (cos, 0, -sin).
   const double rotation_y = std::atan2(-ahead_C.z(), ahead_C.x());
   const double alpha = wrapped(rotation_y - std::atan2(bottom_C.x(), bottom_C.z()));
   const Eigen::Vector3d size = cuboid_O.size();
@@ -69,7 +68,7 @@ std::string placementOf(const SceneObject& object, const Box& box) {
              {size.z(), size.y(), size.x(), bottom_C.x(), bottom_C.y(), bottom_C.z(), rotation_y});
 }
 
-/// An object's line; nothing for one without box in the image.
+/// An object's line; empty if it has no box in the image.
 std::string lineOf(const SceneObject& object, const CameraModel& camera,
                    const KittiOptions& options, Benchmark benchmark) {
   const auto box = boxOf(object, options.box, camera);
@@ -90,7 +89,7 @@ std::string dontCareLineOf(const SceneObject& object, const CameraModel& camera,
                                           : "-1 " + line + " -1000 -1000 -1000 -10 -1 -1 -1\n";
 }
 
-/// Whether the lidar has enough points of an object. @param index  in Scene::objects
+/// Whether the lidar has enough points on an object. @param index  in Scene::objects
 bool hasEnoughPoints(const Scene& scene, std::size_t index, const KittiOptions& options) {
   if (!options.lidar || options.min_points == 0) return true;
   return scene.clouds().at(*options.lidar)->points_of_objects.at(index) >= options.min_points;

@@ -7,7 +7,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// The parameter `class_names`: class to KITTI's type. Types end at the first space.
+/// Reads the parameter `class_names`: class to KITTI's type. Types end at the first space.
 std::map<std::string, std::string> typesOf(Parameters& parameters,
                                            const std::vector<ClassInfo>& classes) {
   std::map<std::string, std::string> types;
@@ -42,7 +42,7 @@ std::map<std::string, std::string> typesOf(Parameters& parameters,
   return types;
 }
 
-/// `none`, `depth` or a lidar's name.
+/// Reads `velodyne`: `none`, `depth` or a lidar's name.
 void readVelodyne(Parameters& parameters, const DatasetInfo& dataset, KittiOptions& options) {
   if (dataset.lidars.empty()) {
     options.velodyne = parameters.optionalChoice("velodyne", {"none", "depth"}, "none") == "depth";

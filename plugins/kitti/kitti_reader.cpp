@@ -41,10 +41,11 @@ std::array<float, 4> pointAt(const std::string& bytes, std::size_t at) {
   return point;
 }
 
-/// The depth image of which a scan has a point for each pixel that has a depth, row by row.
+/// Reconstructs the depth image from a scan that has a point for each pixel with a depth, row by
+/// row.
 DecodedPicture depthOf(const fs::path& scan, const CameraModel& camera) {
   constexpr double kTolerance = 0.01;        // [px]
-  constexpr double kSinglePrecision = 1e-5;  // [m], that a ray's length may cost of a depth
+  constexpr double kSinglePrecision = 1e-5;  // [m], error of a depth from single precision
   DecodedPicture picture;
   picture.name = "depth";
   picture.numbers.rounding = kSinglePrecision;

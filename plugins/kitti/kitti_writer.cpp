@@ -16,7 +16,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// Where the point lies that a pixel shows, in the optical frame [m]; nothing where there is none.
+/// The point that a pixel shows, in the optical frame [m]; nothing if there is none.
 std::optional<Eigen::Vector3d> pointAt(const CameraModel& camera, int u, int v, double depth) {
   if (depth == 0.0) return std::nullopt;
   if (camera.isPinhole()) {
@@ -28,9 +28,10 @@ std::optional<Eigen::Vector3d> pointAt(const CameraModel& camera, int u, int v, 
   return *ray * (depth / ray->z());
 }
 
-/// What a scanner in the camera's place would measure in the direction of each pixel: x ahead, y
-/// left, z up [m] and a reflectance, of which nothing is known: 0. A point lies kScanDepth behind
-/// the surface, seen from the scanner: those on a box's faces would lie outside of it by rounding.
+/// The points that a scanner in the camera's place would measure in the direction of each pixel: x
+/// ahead, y left, z up [m] and a reflectance, which is unknown: 0. A point lies kScanDepth behind
+/// the surface, seen from the scanner: otherwise rounding could put points on a box's faces outside
+/// the box.
 std::string scanOf(const Scene& scene) {
   constexpr std::size_t kBytesOfAPoint = 16;
   const cv::Mat depth = scene.depth();
@@ -62,7 +63,7 @@ class KittiWriter : public LabelWriter {
     for (std::size_t i = 0; i < dataset.cameras.size(); ++i) {
       folders_.push_back(dataset.cameraFolder(i));
     }
-    // OpenPCDet and MMDetection3D open all of these, whatever is in them.
+    // OpenPCDet and MMDetection3D open all of these, even if they are empty.
     splits_ = {"train", "val", kTest};
     for (const std::string& split : dataset.splitFolders()) {
       if (std::count(splits_.begin(), splits_.end(), split) == 0) splits_.push_back(split);
@@ -84,7 +85,8 @@ class KittiWriter : public LabelWriter {
                      options_.lidar ? kitti::lidarPoints(scene, options_) : scanOf(scene));
     }
     if (labels.empty()) {
-      // OpenPCDet cannot load an image without a line (its object3d_kitti.py, kitti_dataset.py).
+      // OpenPCDet cannot load an image without a label line (its object3d_kitti.py,
+      // kitti_dataset.py).
       output.addWarning("an image without any label is left out of ImageSets");
     } else {
       listImage(scene, number, output);
@@ -112,7 +114,7 @@ class KittiWriter : public LabelWriter {
     }
   }
 
-  /// OpenPCDet and MMDetection3D look for images of the list `test` in `testing`.
+  /// OpenPCDet and MMDetection3D look for the images listed in `test` in the folder `testing`.
   void addTesting(const SceneRecords& records, DatasetOutput& output, std::size_t camera) const {
     records.forEach(imageSet(camera, kTest), [&](std::int64_t, const std::string& number) {
       std::vector<std::string> files = {"image_2/" + number + ".png", "calib/" + number + ".txt",
@@ -124,7 +126,7 @@ class KittiWriter : public LabelWriter {
     });
   }
 
-  /// The channel of the numbers of a list's images.
+  /// The channel for the image numbers of a list.
   [[nodiscard]] static std::string imageSet(std::size_t camera, const std::string& name) {
     return std::to_string(camera) + " " + name;
   }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a line of a sequence's labels behind the frame: the track and the columns of KITTI's objects.
+/// Columns of a label line after the frame number: the track and the columns of KITTI's objects.
 constexpr std::size_t kColumns = 16;
 
 LabelledPicture readScene(const WrittenScene& scene) {

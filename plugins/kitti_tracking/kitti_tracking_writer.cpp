@@ -43,7 +43,7 @@ class KittiTrackingWriter : public LabelWriter {
     splits_ = dataset.splitFolders();
   }
 
-  /// TrackEval refuses labels of types that it does not know (trackeval/datasets/kitti_2d_box.py).
+  /// TrackEval rejects labels of unknown types (trackeval/datasets/kitti_2d_box.py).
   void warnOfUnknownTypes(WriterParameters& parameters) const {
     static const std::set<std::string> kKnown = {"car",     "van",  "truck", "pedestrian", "person",
                                                  "cyclist", "tram", "misc",  "dontcare"};
@@ -73,7 +73,7 @@ class KittiTrackingWriter : public LabelWriter {
         kitti::calibration(scene.camera.intrinsics(), kitti::lidarInCamera(scene, options_)));
   }
 
-  /// The points beside a scene's image.
+  /// The file of points that belongs to a scene's image.
   [[nodiscard]] static std::string scanOf(const std::string& image) {
     return image.substr(0, image.rfind('.')) + ".bin";
   }
@@ -108,7 +108,8 @@ class KittiTrackingWriter : public LabelWriter {
                    calibrationOf(sequences_.all()[sequence].camera, records));
   }
 
-  /// That of a camera's first scene, against which the scanner is taken not to move.
+  /// The calibration of a camera's first scene; the scanner is assumed not to move relative to the
+  /// camera.
   [[nodiscard]] std::string calibrationOf(std::size_t camera, const SceneRecords& records) const {
     std::string first;
     if (options_.lidar) {
@@ -120,7 +121,7 @@ class KittiTrackingWriter : public LabelWriter {
     return kitti::calibration(cameras_.at(camera).model.intrinsics(), kitti::scannerInCamera());
   }
 
-  /// The sequences of a split and their numbers of frames, as the devkit reads them.
+  /// Writes the sequences of a split and their numbers of frames in the devkit's form.
   void addSequenceMap(const std::string& split, const SceneRecords& records,
                       DatasetOutput& output) const {
     output.addFile("evaluate_tracking.seqmap." + split, [&](std::ostream& file) {

@@ -8,7 +8,7 @@ namespace synthetic_dataset {
 
 /// The settings of a LabelMe writer.
 struct LabelMeOptions {
-  bool as_rectangles = false;  ///< shapes are boxes, otherwise polygons around what is visible
+  bool as_rectangles = false;  ///< shapes are boxes, otherwise polygons around visible parts
   BoxChoice box = BoxChoice::kVisible;
   std::string image_format = "png";
 };

@@ -12,8 +12,8 @@
 namespace synthetic_dataset {
 
 /// LabelMe: `<split>/N.json` beside `<split>/N.png`, with a shape for each object, and
-/// `labels.txt`. https://github.com/wkentaro/labelme; polygons run through pixels' centres, as its
-/// utils.shape_to_mask fills them with their rim.
+/// `labels.txt`. https://github.com/wkentaro/labelme; polygons run through pixel centres, as its
+/// utils.shape_to_mask fills them including their rim.
 class LabelMeWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -52,8 +52,8 @@ class LabelMeWriter : public LabelWriter {
                                                  {"imageWidth", scene.camera.width()}}));
   }
 
-  /// A polygon through the centres of the outermost pixels, or two corners of a box, in which the
-  /// image spans 0 to its width.
+  /// A polygon through the centres of the outermost pixels, or two corners of a box in coordinates
+  /// in which the image spans 0 to its width.
   [[nodiscard]] Json pointsOf(const SceneObject& object, const CameraModel& camera) const {
     Json points = Json::array();
     if (!options_.as_rectangles) {
@@ -67,7 +67,7 @@ class LabelMeWriter : public LabelWriter {
     return points;
   }
 
-  /// As LabelMe's own converters want it.
+  /// Writes the list of labels that LabelMe's own converters require.
   void doFinalize(const SceneRecords& /*records*/, DatasetOutput& output) const override {
     output.addFile("labels.txt", [&](std::ostream& file) {
       file << "__ignore__\n_background_\n";

@@ -12,7 +12,7 @@ inline constexpr int kMotDecimals = 3;  ///< of a box [px] and of a visibility
 
 /// The settings of a MOT writer.
 struct MotOptions {
-  std::map<int, int> class_ids;    ///< the format's number of each class, from 1
+  std::map<int, int> class_ids;    ///< the format's number for each class, from 1
   std::vector<std::string> names;  ///< of the format's classes, from 1
   BoxChoice box = BoxChoice::kVisible;
   std::string image_format = "jpg";

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a class's number stands for: a line of gt/labels.txt.
+/// The name of a class's number: a line of gt/labels.txt.
 std::string nameOf(const std::vector<std::string>& names, double number) {
   const bool is_known = number >= 1.0 && number <= static_cast<double>(names.size());
   return is_known ? names[static_cast<std::size_t>(number) - 1] : std::to_string(number);
@@ -23,7 +23,7 @@ std::string nameOf(const std::vector<std::string>& names, double number) {
 // A line of gt.txt: the frame, then track, left, top, width, height, whether it counts, class and
 // visibility.
 LabelledPicture readScene(const WrittenScene& scene) {
-  constexpr std::size_t kColumns = 8;  // behind the frame
+  constexpr std::size_t kColumns = 8;  // after the frame number
   if (scene.files.empty()) throw Error("'" + scene.folder.string() + "': no image of the scene");
   const fs::path& image = scene.files.front();
   const SequenceFrame frame = frameOf(scene, image);

@@ -39,14 +39,14 @@ class MotWriter : public LabelWriter {
     sequences_.addFrame(scene, options_.image_format, labels, output);
   }
 
-  /// An object's line without the frame. What is too little to be seen is 0 in the seventh column:
-  /// neither a hit nor a miss in the evaluation.
+  /// An object's line without the frame number. Objects that are dropped for being barely visible
+  /// have 0 in the seventh column: neither a hit nor a miss in the evaluation.
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
     if (object.pixels.visible() == 0) return "";
     const auto box = boxOf(object, options_.box, camera);
     if (!box) return "";
     std::string line = std::to_string(object.instance);
-    // The first pixel is 1, and the box's edges are those of its pixels.
+    // The first pixel is 1, and the box's edges are the outer edges of its pixels.
     for (const double number : {box->left + 1.5, box->top + 1.5, box->width(), box->height()}) {
       line += "," + fixed(number, kMotDecimals);
     }

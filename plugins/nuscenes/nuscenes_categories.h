@@ -9,8 +9,8 @@
 
 namespace synthetic_dataset::nuscenes {
 
-/// The numbers of categories that lidarseg's points have: 0 is noise, then come the classes of
-/// objects and those of the world, one number for both where they have the same name.
+/// The category numbers of lidarseg's points: 0 is noise, followed by the classes of objects and
+/// those of the world; classes with the same name share a number.
 class PointCategories {
  public:
   explicit PointCategories(const DatasetInfo& dataset);

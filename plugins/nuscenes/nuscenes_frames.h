@@ -9,12 +9,12 @@
 #include "synthetic_dataset/box.h"
 #include "synthetic_dataset/label_writer.h"
 
-/// What the writer keeps of scenes for nuScenes' tables.
+/// The data that the writer keeps from scenes for nuScenes' tables.
 namespace synthetic_dataset::nuscenes {
 
 using Quaternion = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;  ///< w, x, y, z
 
-/// A pose as the tables have it.
+/// A pose in the form used by the tables.
 struct Placement {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< [m]
   Quaternion rotation = Quaternion::Zero();
@@ -22,7 +22,7 @@ struct Placement {
 
 [[nodiscard]] Placement placementOf(const Pose& pose);
 
-/// An object that a camera sees or a lidar meets.
+/// An object that is seen by a camera or hit by a lidar.
 struct SeenObject {
   std::int64_t object = 0;                         ///< its index
   Placement X_GB;                                  ///< of its box
@@ -30,28 +30,28 @@ struct SeenObject {
   double visibility = 0.0;
   std::int64_t pixels = 0;
   std::int64_t points = 0;  ///< of the lidar
-  Box box;                  ///< in which the image spans 0 to its width [px]
+  Box box;                  ///< in coordinates in which the image spans 0 to its width [px]
 };
 
-/// What one camera, or the lidar, has of one instant.
+/// The data of one camera, or of the lidar, at one instant.
 struct Frame {
   std::int64_t scene = 0;  ///< Scene::index
   std::int64_t instant = 0;
   std::int64_t microseconds = 0;
   std::int64_t sequence = 0;
-  std::int64_t camera = 0;  ///< the lidar's is that behind all cameras'
+  std::int64_t camera = 0;  ///< camera index; the lidar's is one past the last camera's
   std::string file;
-  Placement X_GE;  ///< of the ego frame: the sensor's, x ahead, y left, z up
+  Placement X_GE;  ///< of the ego frame E: the sensor's, x ahead, y left, z up
   std::vector<SeenObject> objects;
 };
 
-/// Whether it is the lidar's.
+/// Whether the frame is the lidar's.
 [[nodiscard]] bool isLidar(const DatasetInfo& dataset, const Frame& frame);
 
-/// The token of its sample_data.
+/// The token of the frame's sample_data.
 [[nodiscard]] std::string dataToken(const DatasetInfo& dataset, const Frame& frame);
 
-/// A frame as a record, and back.
+/// Converts a frame to a record, and back.
 [[nodiscard]] std::string recordOf(const Frame& frame);
 [[nodiscard]] Frame frameOf(std::int64_t scene, const std::string& record);
 

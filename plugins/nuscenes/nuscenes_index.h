@@ -12,10 +12,10 @@ namespace synthetic_dataset::formats::nuscenes {
 /// A table of nuScenes, by token.
 class TokenTable {
  public:
-  /// @throws Error where it is no such table
+  /// @throws Error if it is not such a table
   explicit TokenTable(const std::filesystem::path& file);
 
-  /// @throws Error where no record has the token
+  /// @throws Error if no record has the token
   [[nodiscard]] const nlohmann::json& at(const std::string& token) const;
 
  private:
@@ -23,10 +23,10 @@ class TokenTable {
   std::map<std::string, nlohmann::json> records_;
 };
 
-/// A table's records by what they are of.
+/// A table's records, indexed by the text of one of their members.
 class RecordsByKey {
  public:
-  /// @param key  of a record's text
+  /// @param key  the member by which records are indexed
   RecordsByKey(const std::filesystem::path& file, const char* key);
 
   [[nodiscard]] std::vector<nlohmann::json> of(const std::string& text) const;

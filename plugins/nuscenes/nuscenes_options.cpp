@@ -12,7 +12,7 @@ namespace synthetic_dataset {
 
 namespace {
 
-/// The only lidar unless `lidar` says otherwise.
+/// Reads `lidar`, which defaults to the only lidar.
 void readLidar(Parameters& parameters, const DatasetInfo& dataset, NuScenesOptions& options) {
   if (dataset.lidars.empty()) return;
   const std::string name = dataset.lidars.size() == 1 ? parameters.optional<std::string>(
@@ -23,7 +23,7 @@ void readLidar(Parameters& parameters, const DatasetInfo& dataset, NuScenesOptio
   options.positions = readCloudPositions(parameters);
   options.min_points = readMinPoints(parameters);
   options.lidarseg = parameters.optional("lidarseg", options.lidarseg);
-  constexpr std::size_t kMostCategories = 255;  // beside noise, in a byte
+  constexpr std::size_t kMostCategories = 255;  // in a byte, in addition to noise
   const std::size_t count = dataset.classes.size() + dataset.world_classes.size();
   if (options.lidarseg && count > kMostCategories) {
     parameters.addError("lidarseg", "found " + std::to_string(count) +
@@ -32,7 +32,7 @@ void readLidar(Parameters& parameters, const DatasetInfo& dataset, NuScenesOptio
   }
 }
 
-/// Every how many instants there is a sample.
+/// The period of samples, in instants.
 std::int64_t readKeyframes(Parameters& parameters, const DatasetInfo& dataset) {
   constexpr std::int64_t kMost = 1000;
   const auto every = parameters.optionalBetween<std::int64_t>("keyframe_every", 1, 1, kMost);
@@ -55,7 +55,7 @@ std::int64_t readKeyframes(Parameters& parameters, const DatasetInfo& dataset) {
   return every;
 }
 
-/// The index of an instant's motion; 0 where none is listed.
+/// The index of an instant's motion; 0 if none is listed.
 std::size_t motionOf(const std::vector<MotionInfo>& motions, std::int64_t instant) {
   std::size_t motion = 0;
   while (motion + 1 < motions.size() && motions[motion + 1].first_instant <= instant) ++motion;
@@ -92,7 +92,7 @@ std::string nuScenesChannel(const std::vector<CameraDescription>& cameras, std::
   std::string name = safeFileName(cameras.at(camera).name);
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  // Names that differ in case alone are other channels.
+  // Names that differ only in case need different channels.
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     std::string other = safeFileName(cameras[i].name);
     std::transform(other.begin(), other.end(), other.begin(),

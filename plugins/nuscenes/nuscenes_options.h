@@ -16,11 +16,11 @@ struct NuScenesOptions {
   std::string version = "v1.0-trainval";  ///< the folder of the tables
   BoxChoice box = BoxChoice::kVisible;    ///< in image_annotations
   std::string image_format = "jpg";
-  std::optional<std::size_t> lidar;  ///< that is LIDAR_TOP, in DatasetInfo::lidars
+  std::optional<std::size_t> lidar;                     ///< LIDAR_TOP; index in DatasetInfo::lidars
   CloudPositions positions = CloudPositions::kAtStamp;  ///< of its points
-  bool lidarseg = true;             ///< whether there is a category of each point
-  std::int64_t min_points = 0;      ///< objects of which it has fewer are not annotated
-  std::int64_t keyframe_every = 1;  ///< which instants of a motion are samples, from its first
+  bool lidarseg = true;                                 ///< whether to write each point's category
+  std::int64_t min_points = 0;      ///< objects with fewer lidar points are not annotated
+  std::int64_t keyframe_every = 1;  ///< every n-th instant of a motion is a sample, from its first
 };
 
 [[nodiscard]] NuScenesOptions readNuScenesOptions(Parameters& parameters,
@@ -41,26 +41,26 @@ enum class NuScenesTable {
   kSampleAnnotation,
 };
 
-/// A record's token: 32 digits, which are the same whatever other records there are.
+/// A record's token: 32 digits that do not depend on other records.
 [[nodiscard]] std::string nuScenesToken(NuScenesTable table, std::int64_t first,
                                         std::int64_t second = 0);
 
-/// What a camera is called: CAM_FRONT where it is the only one, else CAM_ and its name.
+/// The name of a camera's channel: CAM_FRONT if it is the only one, otherwise CAM_ and its name.
 [[nodiscard]] std::string nuScenesChannel(const std::vector<CameraDescription>& cameras,
                                           std::size_t camera);
 
-/// What the lidar is called.
+/// The name of the lidar's channel.
 inline constexpr const char* kNuScenesLidar = "LIDAR_TOP";
 
-/// Which nuScenes scene, which is a sequence of samples, a scene belongs to: its split's and
-/// motion's.
+/// The nuScenes scene (a sequence of samples) to which a scene belongs: the one of its split and
+/// motion.
 [[nodiscard]] std::size_t nuScenesSequence(const DatasetInfo& dataset, const Scene& scene);
 
-/// Whether an instant is a sample, with annotations; what is between them is sweeps.
+/// Whether an instant is a sample, with annotations; data between samples are sweeps.
 [[nodiscard]] bool isNuScenesKeyframe(const DatasetInfo& dataset, const NuScenesOptions& options,
                                       std::int64_t instant);
 
-/// The picture that stands for the map, which nobody has.
+/// A placeholder picture for the map, which does not exist.
 inline constexpr const char* kNuScenesMap = "maps/empty.png";
 
 }  // namespace synthetic_dataset

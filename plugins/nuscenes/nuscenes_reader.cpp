@@ -31,8 +31,8 @@ Pose poseOf(const json& record) {
   return makePose(vectorOf(record.at("translation")), Eigen::Quaterniond(w, x, y, z).normalized());
 }
 
-/// The corners of an annotation's box, as Box.corners() of the devkit's utils/data_classes.py, in
-/// the order of Cuboid::corners().
+/// The corners of an annotation's box, as computed by Box.corners() of the devkit's
+/// utils/data_classes.py, but in the order of Cuboid::corners().
 std::array<Eigen::Vector3d, 8> cornersOf(const json& annotation, const Pose& X_CG) {
   const Eigen::Vector3d wlh = vectorOf(annotation.at("size"));
   const Pose X_CB = X_CG * poseOf(annotation);
@@ -45,7 +45,7 @@ std::array<Eigen::Vector3d, 8> cornersOf(const json& annotation, const Pose& X_C
   return corners;
 }
 
-/// The tables that the labels of an image are in.
+/// The tables that contain an image's labels.
 class Tables {
  public:
   explicit Tables(const WrittenScene& scene) : scene_(scene) {
@@ -63,7 +63,7 @@ class Tables {
     return scene_.kept->get<RecordsByFile>(folder_ / "image_annotations.json")->of(image);
   }
 
-  /// The record of the sensor's data that a file has.
+  /// The sample_data record of a file.
   [[nodiscard]] json dataOf(const std::string& file) const {
     const auto found = scene_.kept->get<RecordsByFile>(folder_ / "sample_data.json")->of(file);
     if (found.empty()) {
@@ -119,7 +119,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
   return picture;
 }
 
-/// The names of categories by their numbers in lidarseg, but for that of noise, 0.
+/// The names of categories by their numbers in lidarseg, except 0, noise.
 struct CategoryNames {
   explicit CategoryNames(const fs::path& file) {
     readJson(file, [&](const json& table) {
@@ -134,7 +134,7 @@ struct CategoryNames {
   std::map<std::uint16_t, std::string> names;
 };
 
-/// The points in the ego frame, which is the scanner's with x ahead.
+/// Adds the points in the ego frame, which is the scanner's with x ahead.
 void addPoints(LabelledCloud& cloud, const fs::path& file, const Pose& X_EN) {
   constexpr std::size_t kBytesOfAPoint = 20;
   const std::string bytes = readText(file);

@@ -11,21 +11,21 @@
 #include "plugins/nuscenes/nuscenes_options.h"
 #include "synthetic_dataset/label_writer.h"
 
-/// The frames of a dataset in nuScenes' order: samples, what is measured between them, and what is
-/// before and after each.
+/// The frames of a dataset in nuScenes' order: samples, the sweeps between them, and the links to
+/// the previous and next of each.
 namespace synthetic_dataset::nuscenes {
 
-/// What is known of an object at an instant, by all cameras that see it and the lidar.
+/// An object at an instant, as seen by all cameras and the lidar.
 struct Annotation {
-  const SeenObject* seen = nullptr;  ///< by the first of them
-  double visibility = 0.0;           ///< the greatest
-  std::int64_t pixels = 0;           ///< of all
+  const SeenObject* seen = nullptr;  ///< by the first sensor that sees it
+  double visibility = 0.0;           ///< the maximum of all
+  std::int64_t pixels = 0;           ///< the sum of all
   std::int64_t points = 0;           ///< of the lidar
   std::string prev;
   std::string next;
 };
 
-/// What a sensor has of an instant.
+/// A sensor's data at an instant.
 struct SensorData {
   const Frame* frame = nullptr;
   bool is_keyframe = true;
@@ -33,10 +33,10 @@ struct SensorData {
   std::string next;
 };
 
-/// An instant that is annotated.
+/// An annotated instant.
 struct Sample {
-  const Frame* first = nullptr;                    ///< of the instant
-  std::vector<SensorData> data;                    ///< in the order of time
+  const Frame* first = nullptr;                    ///< first frame of the instant
+  std::vector<SensorData> data;                    ///< in order of time
   std::map<std::int64_t, Annotation> annotations;  ///< by object
   std::string prev;
   std::string next;
@@ -45,22 +45,22 @@ struct Sample {
   [[nodiscard]] std::string tokenOf(std::int64_t object) const;
 };
 
-/// The samples of a dataset, each linked with those before and after it. What is measured between
-/// samples belongs to the one that follows it, or to the last where none does (the devkit's
-/// docs/schema_nuscenes.md). A sequence without a sample has nothing here.
+/// The samples of a dataset, each linked to the previous and the next. Data between samples belong
+/// to the sample that follows or, if there is none, to the last one (the devkit's
+/// docs/schema_nuscenes.md). Sequences without a sample are left out.
 class Samples {
  public:
-  /// @param dataset, frames  have to outlive this; frames are in the order of time
+  /// @param dataset, frames  must outlive this; frames are in order of time
   Samples(const DatasetInfo& dataset, const std::vector<Frame>& frames,
           const NuScenesOptions& options);
 
   [[nodiscard]] const std::vector<std::unique_ptr<Sample>>& all() const { return all_; }
 
  private:
-  /// What is before and after each of several chains' links.
+  /// Links the elements of several chains to the previous and the next.
   class Chain {
    public:
-    /// @return  the token of the link before; empty for none
+    /// @return  the token of the previous element; empty if there is none
     std::string add(std::int64_t first, std::int64_t second, std::string& next,
                     const std::string& token);
 

@@ -13,7 +13,7 @@
 namespace synthetic_dataset::nuscenes {
 namespace {
 
-/// Numbers of scenes, both ends included.
+/// A range of scene numbers, including both ends.
 struct Range {
   int first;
   int last;
@@ -45,7 +45,7 @@ constexpr Range kTest[] = {{77, 91},   {111, 119}, {140, 140},  {142, 148}, {265
                            {601, 604}, {606, 624}, {827, 831},  {833, 842}, {844, 846},
                            {932, 933}, {935, 943}, {1026, 1043}};
 
-/// Which of the devkit's lists has a split's names.
+/// The devkit's list that provides a split's names.
 std::string_view devkitList(const std::string& split) {
   return split == "val" || split == "test" ? std::string_view(split) : "train";
 }
@@ -69,7 +69,8 @@ std::size_t motionCount(const DatasetInfo& dataset) {
   return std::max<std::size_t>(dataset.motions.size(), 1);
 }
 
-/// The place in its list of a split's first scene: lists are shared by the splits before it.
+/// The index in its list of a split's first scene, after those of earlier splits that use the same
+/// list.
 std::size_t firstPlace(const DatasetInfo& dataset, const std::vector<std::string>& splits,
                        std::size_t split) {
   const auto before = std::count_if(

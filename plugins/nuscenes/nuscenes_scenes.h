@@ -8,13 +8,14 @@
 
 namespace synthetic_dataset::nuscenes {
 
-/// Why the dataset has nuScenes scenes for which there is no name; nothing where it has none.
+/// Why names are missing for some of the dataset's nuScenes scenes; nothing if none are missing.
 [[nodiscard]] std::optional<std::string> sceneNameProblem(const DatasetInfo& dataset);
 
-/// What a nuScenes scene is called. Trainers find the scenes of a split by the names that the
-/// devkit lists for it: those of `val` and `test` have names of its lists, all others of `train`.
+/// The name of a nuScenes scene. Training code finds the scenes of a split by the names that the
+/// devkit lists for it: scenes of `val` and `test` take names from its lists, all others from that
+/// of `train`.
 /// @param sequence  of nuScenesSequence
-/// @throws Error where there is no name
+/// @throws Error if there is no name
 [[nodiscard]] std::string sceneName(const DatasetInfo& dataset, std::int64_t sequence);
 
 }  // namespace synthetic_dataset::nuscenes

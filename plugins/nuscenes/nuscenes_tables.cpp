@@ -27,8 +27,8 @@ std::string visibilityToken(double visibility) {
   return visibility < 0.8 ? "3" : "4";
 }
 
-/// What `sample_annotation` and `image_annotations` both have of an object in a sample.
-/// @param points  of the lidar, or what stands for them
+/// The members for an object in a sample that `sample_annotation` and `image_annotations` share.
+/// @param points  of the lidar, or their substitute
 Json annotationOf(const Sample& sample, std::int64_t object, const Annotation& annotation,
                   std::int64_t points) {
   return {{"instance_token", token(NuScenesTable::kInstance, sample.first->sequence, object)},
@@ -57,7 +57,7 @@ class Maker {
   Maker(const DatasetInfo& dataset, const std::vector<Frame>& frames, NuScenesOptions options)
       : dataset_(dataset), samples_(dataset, frames, options), options_(std::move(options)) {}
 
-  /// Whether there is a category of each point.
+  /// Whether each point has a category.
   [[nodiscard]] bool hasLidarseg() const { return options_.lidar && options_.lidarseg; }
 
   void category(const AddRecord& add) const {
@@ -75,7 +75,7 @@ class Maker {
     if (!hasLidarseg()) return;
     const PointCategories categories(dataset_);
     for (std::size_t i = 0; i < dataset_.world_classes.size(); ++i) {
-      if (categories.ofWorld(i) != number) continue;  // it has one already
+      if (categories.ofWorld(i) != number) continue;  // shares the category of an object class
       addOne(token(NuScenesTable::kCategory, static_cast<std::int64_t>(i), 1),
              dataset_.world_classes[i]);
     }
@@ -124,7 +124,7 @@ class Maker {
       add({{"token", token(NuScenesTable::kCalibratedSensor, index)},
            {"sensor_token", token(NuScenesTable::kSensor, index)},
            {"translation", {0.0, 0.0, 0.0}},
-           // The optical frame in one with x ahead, y left and z up.
+           // The optical frame in a frame with x ahead, y left and z up.
            {"rotation", {0.5, -0.5, 0.5, -0.5}},
            {"camera_intrinsic", {{k.fx, 0.0, k.cx}, {0.0, k.fy, k.cy}, {0.0, 0.0, 1.0}}}});
     }
@@ -253,14 +253,14 @@ class Maker {
     }
   }
 
-  /// As the devkit's export_2d_annotations_as_json.py makes it.
+  /// The table that the devkit's export_2d_annotations_as_json.py makes.
   void imageAnnotations(const AddRecord& add) const {
     for (const auto& sample : samples_.all()) {
       for (const SensorData& each : sample->data) {
         if (isLidar(*each.frame) || !each.is_keyframe) continue;
         for (const SeenObject& seen : each.frame->objects) {
           const auto found = sample->annotations.find(seen.object);
-          if (found == sample->annotations.end()) continue;  // of too few points
+          if (found == sample->annotations.end()) continue;  // too few points
           Json record = {
               {"sample_annotation_token", sample->tokenOf(seen.object)},
               {"sample_data_token", dataToken(dataset_, *each.frame)},
@@ -287,7 +287,8 @@ class Maker {
     return token(NuScenesTable::kEgoPose, frame.scene, isLidar(frame) ? 1 : 0);
   }
 
-  /// Without a lidar, pixels stand for its points: trainers leave out what has none.
+  /// Without a lidar, pixels replace its points, since training code leaves out objects without
+  /// points.
   [[nodiscard]] std::int64_t pointsOf(const Annotation& annotation) const {
     return options_.lidar ? annotation.points : annotation.pixels;
   }

@@ -22,8 +22,8 @@
 namespace synthetic_dataset {
 
 /// nuScenes: `samples/CAM_*/` with images, `samples/LIDAR_TOP/` with a lidar's points, `lidarseg/`
-/// with their categories, the same of what is between samples in `sweeps/` without categories, and
-/// tables of JSON that refer to one another by tokens.
+/// with their categories, `sweeps/` with the same for the data between samples but without
+/// categories, and JSON tables that refer to one another by tokens.
 /// https://www.nuscenes.org/nuscenes#data-format, https://github.com/nutonomy/nuscenes-devkit
 /// (docs/schema_nuscenes.md)
 class NuScenesWriter : public LabelWriter {
@@ -59,7 +59,7 @@ class NuScenesWriter : public LabelWriter {
     if (options_.lidar && scene.camera_index == 0) writeCloud(scene, output);
   }
 
-  /// Whether the scene is annotated, and which folder its files are in.
+  /// Whether the scene is annotated, which also determines the folder of its files.
   [[nodiscard]] bool isKeyframe(const Scene& scene) const {
     return isNuScenesKeyframe(dataset_, options_, scene.instant);
   }
@@ -84,7 +84,7 @@ class NuScenesWriter : public LabelWriter {
   }
 
   /// x to the right, y ahead, z up [m], the intensity, 0 .. 255, and the ring of each point, as
-  /// LidarPointCloud.from_file of the devkit's utils/data_classes.py reads them; and its category.
+  /// read by LidarPointCloud.from_file of the devkit's utils/data_classes.py; and its category.
   void writeCloud(const Scene& scene, SceneOutput& output) const {
     const Cloud& cloud = *scene.clouds().at(*options_.lidar);
     nuscenes::Frame frame = frameOf(scene);
@@ -93,7 +93,7 @@ class NuScenesWriter : public LabelWriter {
                  scene.name.substr(scene.name.rfind('/') + 1) + ".pcd.bin";
     frame.X_GE = nuscenes::placementOf(
         scene.transform(dataset_.global_frame, dataset_.lidars[*options_.lidar].frame));
-    if (isKeyframe(scene)) addMet(scene, cloud, frame);
+    if (isKeyframe(scene)) addHitObjects(scene, cloud, frame);
     const nuscenes::PointCategories categories(dataset_);
     constexpr float kFullScale = 255.0F;
     std::string bytes;
@@ -114,16 +114,16 @@ class NuScenesWriter : public LabelWriter {
     output.addRecord(kSweeps, nuscenes::recordOf(frame));
   }
 
-  /// The objects that the lidar meets.
-  static void addMet(const Scene& scene, const Cloud& cloud, nuscenes::Frame& frame) {
+  /// Adds the objects hit by the lidar.
+  static void addHitObjects(const Scene& scene, const Cloud& cloud, nuscenes::Frame& frame) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const std::int64_t points = cloud.points_of_objects.at(i);
       if (points == 0 || !scene.objects[i].X_GO) continue;
-      frame.objects.push_back(metObject(scene.objects[i], points));
+      frame.objects.push_back(hitObject(scene.objects[i], points));
     }
   }
 
-  /// A frame with x ahead, y left and z up in the optical frame.
+  /// The pose in the optical frame of a frame with x ahead, y left and z up.
   [[nodiscard]] static Pose bodyInCamera() {
     Eigen::Matrix3d rotation;
     rotation << 0.0, -1.0, 0.0,  //
@@ -140,7 +140,7 @@ class NuScenesWriter : public LabelWriter {
     return seen;
   }
 
-  [[nodiscard]] static nuscenes::SeenObject metObject(const SceneObject& object,
+  [[nodiscard]] static nuscenes::SeenObject hitObject(const SceneObject& object,
                                                       std::int64_t points) {
     nuscenes::SeenObject met = placedObject(object);
     met.points = points;
@@ -165,7 +165,7 @@ class NuScenesWriter : public LabelWriter {
         frames.push_back(nuscenes::frameOf(scene, record));
       });
     }
-    // The cameras' before the lidar's.
+    // Cameras come before the lidar.
     std::stable_sort(frames.begin(), frames.end(),
                      [](const auto& a, const auto& b) { return a.instant < b.instant; });
     for (const nuscenes::Table& table : nuscenes::tablesOf(dataset_, frames, options_)) {
@@ -186,7 +186,7 @@ class NuScenesWriter : public LabelWriter {
     });
   }
 
-  // Of records: all of the cameras, and of the lidar.
+  // Channels of records: of the cameras, and of the lidar.
   static constexpr const char* kFrames = "frames";
   static constexpr const char* kSweeps = "sweeps";
 

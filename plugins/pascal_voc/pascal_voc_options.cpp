@@ -5,7 +5,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// A share of the whole from a parameter.
+/// Reads a parameter that is a share from 0 to 1.
 double readShare(Parameters& parameters, const std::string& name, double fallback) {
   const double share = parameters.optional(name, fallback);
   if (share < 0.0 || share > 1.0) {

@@ -22,7 +22,7 @@ std::size_t placeOf(int class_id, const std::vector<ClassInfo>& classes) {
   return static_cast<std::size_t>(found - classes.begin());
 }
 
-/// Where a pixel not farther away than `border`, along rows and columns, belongs to another one.
+/// Marks pixels with a pixel of another instance within `border` along rows and columns.
 cv::Mat bordersOf(const cv::Mat& instances, int border) {
   const cv::Mat square = cv::Mat::ones(2 * border + 1, 2 * border + 1, CV_8UC1);
   cv::Mat greatest;
@@ -32,7 +32,7 @@ cv::Mat bordersOf(const cv::Mat& instances, int border) {
   return greatest != least;
 }
 
-/// A class's name in a line whose parts are parted by colons.
+/// A class's name for a line whose fields are separated by colons.
 std::string plainName(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == ':' || c == '\n' || c == '\r'; }, '_');
@@ -45,7 +45,8 @@ std::string plainName(std::string name) {
 VocPictures vocPictures(const Scene& scene, const std::vector<const SceneObject*>& labelled,
                         const std::vector<ClassInfo>& classes, std::size_t world_classes,
                         int border) {
-  // By instance. An object without a label is void: it is neither background nor to be found.
+  // By instance. An object without a label is void: neither background nor something to be
+  // detected.
   std::vector<uchar> class_of(scene.objects.size() + 1, kVoid);
   std::vector<uchar> object_of(scene.objects.size() + 1, kVoid);
   class_of[0] = object_of[0] = 0;

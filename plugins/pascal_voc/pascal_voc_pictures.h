@@ -12,21 +12,22 @@
 
 namespace synthetic_dataset {
 
-/// Classes, and objects of one image, that an index of 8 bits tells apart beside background and
-/// void.
+/// The number of classes, or of objects in one image, that an 8-bit index can distinguish in
+/// addition to background and void.
 constexpr std::size_t kMostVocIndices = 254;
 
-/// What Pascal VOC's segmentation pictures say of each pixel; CV_8UC1. 0 is the background; 255 is
-/// void: an object without a label, or a border.
+/// Pascal VOC's segmentation pictures; CV_8UC1. 0 is the background; 255 is void: an object without
+/// a label, or a border.
 struct VocPictures {
-  cv::Mat classes;  ///< the class's place among the classes and then those of the world, from 1
-  cv::Mat objects;  ///< the object's place among the labelled ones, from 1
+  cv::Mat classes;  ///< index among the classes followed by those of the world, from 1
+  cv::Mat objects;  ///< index among the labelled objects, from 1
 };
 
-/// @param labelled  objects of the scene; those after the 254th are void among the objects
+/// @param labelled  objects of the scene; those after the 254th are void in `objects`
 /// @param classes  of the dataset, at most 254
-/// @param world_classes  how many of the world's there are, whose indices follow
-/// @param border  how far from the next object or the background a pixel is void [px], 0 for none
+/// @param world_classes  number of world classes, whose indices follow
+/// @param border  distance to another object or the background within which a pixel is void [px];
+///     0: no border
 [[nodiscard]] VocPictures vocPictures(const Scene& scene,
                                       const std::vector<const SceneObject*>& labelled,
                                       const std::vector<ClassInfo>& classes,
@@ -35,12 +36,12 @@ struct VocPictures {
 /// A line of `labelmap.txt`.
 struct VocClass {
   std::string name;
-  std::set<std::string> parts;  ///< that annotations of its objects may have
+  std::set<std::string> parts;  ///< parts that annotations of its objects may have
 };
 
-/// What the indices in `SegmentationClass` mean, as datumaro and CVAT read it: a line a class,
-/// `name:red,green,blue:parts:actions`, with commas between parts. Datumaro refuses annotations
-/// with a part that no line has.
+/// Writes the meaning of the indices in `SegmentationClass` as datumaro and CVAT read it: one line
+/// per class, `name:red,green,blue:parts:actions`, with commas between parts. Datumaro rejects
+/// annotations with a part that is not listed.
 void writeLabelMap(std::ostream& stream, const std::vector<VocClass>& classes);
 
 }  // namespace synthetic_dataset

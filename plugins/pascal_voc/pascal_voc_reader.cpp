@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands between <name> and </name>, from `begin` on.
-/// @throws Error when there is no such element
+/// The text between <name> and </name>, searched from `begin` on.
+/// @throws Error if there is no such element
 std::string contentOf(const std::string& text, const std::string& name, const fs::path& file,
                       std::size_t begin = 0) {
   const std::size_t start = text.find("<" + name + ">", begin);
@@ -54,7 +54,8 @@ DrawnLabel labelOf(const std::string& object, double first_pixel, const fs::path
   return label;
 }
 
-/// The parts of a picture of objects: all colours but background's black and void's.
+/// The masks in a picture of objects: one for each colour except the background's black and that of
+/// void.
 std::vector<DrawnLabel> masksOf(const fs::path& file) {
   constexpr std::size_t kMostColours = 256;  // of a palette
   const cv::Mat picture = readPicture(file, cv::IMREAD_COLOR);
@@ -77,8 +78,8 @@ std::vector<DrawnLabel> masksOf(const fs::path& file) {
   return labels;
 }
 
-// Pascal VOC: an <object> each with its <bndbox>, both edges' pixels in it; a palette picture of
-// the objects.
+// Pascal VOC: one <object> per label with its <bndbox>, which includes the pixels at both edges; a
+// palette picture of the objects.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture;
   for (const fs::path& file : scene.files) {

@@ -17,7 +17,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// A text inside an XML element. https://www.w3.org/TR/xml/#syntax, #charsets
+/// Escapes a text for an XML element. https://www.w3.org/TR/xml/#syntax, #charsets
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -81,9 +81,9 @@ class PascalVocWriter : public LabelWriter {
   void doWriteScene(const Scene& scene, SceneOutput& output) const override {
     const std::string name = scene.flatName();
     const std::string image = name + "." + options_.image_format;
-    std::vector<const SceneObject*> objects;  // with a label, in the order of their numbers
+    std::vector<const SceneObject*> objects;  // labelled, in the order of their numbers
     std::string elements;
-    std::map<int, bool> is_plain;  // classes that are seen: whether an object is not difficult
+    std::map<int, bool> is_plain;  // visible classes: whether any object is not difficult
     for (const SceneObject& object : scene.objects) {
       const auto box = boxOf(object, options_.box, scene.camera);
       if (!object.labelled() || !box) continue;
@@ -117,7 +117,7 @@ class PascalVocWriter : public LabelWriter {
            objects + "</annotation>\n";
   }
 
-  /// The boxes of an object's parts, as the layouts of persons have them.
+  /// The boxes of an object's parts, as in person layout annotations.
   [[nodiscard]] std::string partElements(const Scene& scene, const SceneObject& object) const {
     if (!has_parts_) return "";
     std::string elements;
@@ -144,11 +144,12 @@ class PascalVocWriter : public LabelWriter {
            element("ymax", last(box.bottom)) + "\n" + indent + "</bndbox>\n";
   }
 
-  /// @param parts  elements of its parts
+  /// @param parts  XML elements of its parts
   [[nodiscard]] std::string objectElement(const SceneObject& object, const Box& box,
                                           const std::string& parts) const {
     const bool is_truncated = object.truncation() > options_.truncated_above;
-    // Without a division: the share of the silhouette in the image that something else hides.
+    // Computed without a division: the share of the silhouette in the image that something else
+    // hides.
     const auto in_image = static_cast<double>(object.pixels.silhouette_in_image());
     const double hidden = in_image - static_cast<double>(object.pixels.visible());
     const bool is_occluded = hidden > options_.occluded_above * in_image;
@@ -183,7 +184,7 @@ class PascalVocWriter : public LabelWriter {
       for (const std::string& each : world_classes_) classes.push_back({each, {}});
       output.addFile("labelmap.txt", [&](std::ostream& file) { writeLabelMap(file, classes); });
     }
-    std::map<std::string, std::set<std::string>> lists;  // by name: the splits in them
+    std::map<std::string, std::set<std::string>> lists;  // by list name: its splits
     for (const std::string& split : splits_) {
       lists[split].insert(split);
       if (split == "train" || split == "val") lists["trainval"].insert(split);
@@ -191,7 +192,7 @@ class PascalVocWriter : public LabelWriter {
     for (const auto& [list, splits] : lists) addLists(records, list, splits, output);
   }
 
-  /// The names of the parts of a class's objects, as annotations have them.
+  /// The names of the parts of a class's objects, as in annotations.
   [[nodiscard]] std::set<std::string> partsOf(const ClassInfo& each) const {
     std::set<std::string> parts;
     for (const ObjectInfo& object : objects_) {
@@ -201,9 +202,9 @@ class PascalVocWriter : public LabelWriter {
     return parts;
   }
 
-  /// `Main/<list>.txt` and `Segmentation/<list>.txt` with an image's name a line, and
-  /// `Main/<class>_<list>.txt` that say of each whether it shows the class: 1, -1, or 0 where all
-  /// such objects are difficult.
+  /// `Main/<list>.txt` and `Segmentation/<list>.txt` with one image name per line, and
+  /// `Main/<class>_<list>.txt`, which say for each image whether it shows the class: 1, -1, or 0 if
+  /// all such objects are difficult.
   void addLists(const SceneRecords& records, const std::string& list,
                 const std::set<std::string>& splits, DatasetOutput& output) const {
     using Visit = std::function<void(const std::string& name, std::istream& classes)>;
@@ -238,11 +239,11 @@ class PascalVocWriter : public LabelWriter {
     }
   }
 
-  static constexpr const char* kImages = "images";  // of records
+  static constexpr const char* kImages = "images";  // channel of records
 
   PascalVocOptions options_;
   std::vector<ClassInfo> classes_;
-  std::vector<std::string> world_classes_;  ///< that the pictures show
+  std::vector<std::string> world_classes_;  ///< shown in the pictures
   std::vector<ObjectInfo> objects_;
   bool has_parts_ = false;
   std::vector<std::string> splits_;

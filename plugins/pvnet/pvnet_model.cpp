@@ -16,7 +16,7 @@ Json listOf(const std::vector<Eigen::Vector3d>& points) {
   return list;
 }
 
-/// Takes note of one more point that distances may be to.
+/// Updates each point's smallest squared distance with that to one more chosen point.
 void approach(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& chosen,
               std::vector<float>& distances) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -37,7 +37,7 @@ std::optional<PvNetModel> PvNetModel::of(const ObjectModel& model) {
                     farthestPoints(model, kFarthestPoints)};
 }
 
-bool PvNetModel::isBefore(const CameraModel& camera, const Pose& X_CO) const {
+bool PvNetModel::projectsOntoImagePlane(const CameraModel& camera, const Pose& X_CO) const {
   const auto hasPlace = [&](const Eigen::Vector3d& p_O) {
     return camera.project(X_CO * p_O).has_value();
   };
@@ -71,7 +71,7 @@ std::vector<Eigen::Vector3d> farthestPoints(const ObjectModel& model, std::size_
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  // To the centre and all chosen points, the nearest of them; squared, 0 for a chosen point.
+  // Squared distance to the nearest of the centre and all chosen points; 0 for a chosen point.
   std::vector<float> distances(points.size(), std::numeric_limits<float>::max());
   approach(points, (high + low) / 2.0F, distances);
   std::vector<Eigen::Vector3d> chosen;

@@ -32,7 +32,7 @@ std::vector<Eigen::Vector3d> readPoints(const fs::path& file) {
   return points;
 }
 
-/// @param writer_folder  which has a folder for each object
+/// @param writer_folder  contains a folder for each object
 DrawnLabel readObject(const fs::path& image, const fs::path& writer_folder) {
   const fs::path scenes = image.parent_path().parent_path();
   const fs::path folder = scenes.parent_path();

@@ -27,7 +27,7 @@ Json rowsOf(const Pose& pose) {
   return rows;
 }
 
-/// A line of numbers as numpy.loadtxt reads them, each the shortest that is the same double.
+/// A line of numbers for numpy.loadtxt, each the shortest text that gives the same double.
 std::string lineOf(const std::vector<double>& numbers) {
   std::string line;
   for (const double number : numbers) line += (line.empty() ? "" : " ") + Json(number).dump();
@@ -44,7 +44,7 @@ std::string linesOf(const Intrinsics& k) {
   return lineOf({k.fx, 0.0, k.cx}) + lineOf({0.0, k.fy, k.cy}) + lineOf({0.0, 0.0, 1.0});
 }
 
-/// What a scene leaves for the end: for which objects it is a sample.
+/// What is kept of a scene until the end: the objects for which it is a sample.
 struct SceneRecord {
   std::size_t camera = 0;
   std::int64_t instant = 0;
@@ -68,8 +68,8 @@ struct SceneRecord {
 
 /// PVNet's custom datasets: for each object a folder with `rgb/i.jpg`, `mask/i.png`,
 /// `pose/posei.npy`, its model and `train.json`, i from 0 without gaps; in metres.
-/// https://github.com/zju3dv/clean-pvnet#training-on-the-custom-object, and what its
-/// tools/handle_custom_dataset.py makes of such a folder.
+/// https://github.com/zju3dv/clean-pvnet#training-on-the-custom-object, and the files that its
+/// tools/handle_custom_dataset.py makes from such a folder.
 class PvNetWriter : public LabelWriter {
  private:
   /// The folder of an object, or of an object and a camera.
@@ -101,8 +101,8 @@ class PvNetWriter : public LabelWriter {
     SceneRecord record{scene.camera_index, scene.instant, scene.splitFolder(), ""};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       const SceneObject& object = scene.objects[i];
-      const bool is_sample =
-          object.labelled() && models_.at(i) && models_.at(i)->isBefore(scene.camera, *object.X_CO);
+      const bool is_sample = object.labelled() && models_.at(i) &&
+                             models_.at(i)->projectsOntoImagePlane(scene.camera, *object.X_CO);
       record.samples += is_sample ? '1' : '0';
       if (is_sample) {
         addSample(object, scene, folderOf(i, scene.camera_index).path + "scenes/", output);
@@ -142,8 +142,8 @@ class PvNetWriter : public LabelWriter {
             plainFileName(dataset_.objects.at(object).name) + "/" + dataset_.cameraFolder(camera)};
   }
 
-  /// @param visit  gets each sample of a folder: its number from 0, the scene's name in the folder
-  ///     `scenes`, and its split
+  /// @param visit  is called with each sample of a folder: its number from 0, the scene's name in
+  ///     the folder `scenes`, and its split
   template <class Visit>
   static void forEachSample(const SceneRecords& records, const Folder& folder, const Visit& visit) {
     std::int64_t count = 0;
@@ -154,7 +154,7 @@ class PvNetWriter : public LabelWriter {
     });
   }
 
-  /// The files' names without gaps, which only the end knows.
+  /// Adds the files under numbers without gaps, which are only known at the end.
   void addNumberedFiles(const SceneRecords& records, const Folder& folder,
                         DatasetOutput& output) const {
     const std::string scenes = folder.path + "scenes/";
@@ -179,7 +179,8 @@ class PvNetWriter : public LabelWriter {
     output.addText(folder.path + "corners.txt", linesOf(model.corners));
   }
 
-  /// `train.json` and its like: images, then annotations, both numbered from 1.
+  /// Writes `train.json` or the file of another split: images, then annotations, both numbered from
+  /// 1.
   void addSplit(const SceneRecords& records, const Folder& folder, const std::string& split,
                 DatasetOutput& output) const {
     const auto addList = [&](std::ostream& stream, const auto& entryOf) {
@@ -232,10 +233,11 @@ class PvNetWriter : public LabelWriter {
     return entry;
   }
 
-  /// The loader looks it up among LINEMOD's objects, whichever it is; clean-pvnet writes this one.
+  /// The loader looks this name up among LINEMOD's objects, but any of them will do; clean-pvnet
+  /// writes this one.
   static constexpr const char* kClass = "cat";
 
-  static constexpr const char* kSamples = "samples";  // of records
+  static constexpr const char* kSamples = "samples";  // channel of records
 
   DatasetInfo dataset_;
   std::vector<std::optional<PvNetModel>> models_;  ///< of each object

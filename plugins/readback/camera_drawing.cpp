@@ -11,8 +11,8 @@ cv::Point2d placeOf(const Eigen::Vector3d& p_C, const Intrinsics& camera) {
 
 void addLine(DrawnLabel& label, const Intrinsics& camera, const Eigen::Vector3d& a_C,
              const Eigen::Vector3d& b_C) {
-  // So near to the camera's plane, in parts of the farther end's depth, that all of the image is
-  // beyond.
+  // Near limit as a fraction of the farther end's depth, so small that everything closer is outside
+  // the image.
   constexpr double kNearest = 1e-3;
   const Eigen::Vector3d& far_C = a_C.z() > b_C.z() ? a_C : b_C;
   Eigen::Vector3d near_C = a_C.z() > b_C.z() ? b_C : a_C;

@@ -9,7 +9,7 @@ namespace synthetic_dataset::formats {
 
 std::map<std::uint16_t, ClassColour> classColours(const LabelledCloud& cloud,
                                                   const std::vector<std::string>& object_classes) {
-  constexpr double kDull = 0.55;  // how much of the colour is grey
+  constexpr double kDull = 0.55;  // share of grey in the colour
   std::set<std::string> of_objects(object_classes.begin(), object_classes.end());
   for (const auto& [number, object] : cloud.objects) of_objects.insert(object.class_name);
   std::map<std::uint16_t, ClassColour> colours;

@@ -11,18 +11,18 @@
 
 namespace synthetic_dataset::formats {
 
-/// What pictures of a cloud show a class in.
+/// The colour of a class in pictures of a cloud.
 struct ClassColour {
   cv::Scalar colour;  ///< blue green red
   bool is_of_world = false;
 };
 
-/// Points of no class, and those of which nothing is said.
+/// The colour of points without a class, or whose class is unknown.
 inline const cv::Scalar kUnlabelledColour = cv::Scalar::all(130);
 
-/// The colour of each class of a cloud, by its number: those of objects as labels in images have
-/// them, those of the world duller.
-/// @param object_classes  of the dataset, in their order: a class has the colour of its place
+/// The colour of each class of a cloud, by its number: for objects the same as for labels in
+/// images, for the world duller.
+/// @param object_classes  of the dataset, in order: a class's index determines its colour
 [[nodiscard]] std::map<std::uint16_t, ClassColour> classColours(
     const LabelledCloud& cloud, const std::vector<std::string>& object_classes);
 

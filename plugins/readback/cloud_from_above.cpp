@@ -20,20 +20,20 @@ constexpr int kCaptionFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kCaptionSize = 0.45;
 constexpr int kFractionBits = 4;
 
-/// The value that a share of all is below. @param values  not empty; their order changes
+/// The value below which a share of all values lies. @param values  not empty; their order changes
 double quantile(std::vector<float>& values, double share) {
   const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + place, values.end());
   return values[static_cast<std::size_t>(place)];
 }
 
-/// Which place of the picture is which of the scanner's x-y plane.
+/// Maps the scanner's x-y plane to the picture.
 class View {
  public:
   View(const LabelledCloud& cloud, int size) : size_(size) {
-    constexpr double kShown = 0.99;       // of all points, along each axis and either way
+    constexpr double kShown = 0.99;       // share of points shown, per axis and direction
     constexpr double kMargin = 1.08;      // around these
-    constexpr double kSmallest = 1.0;     // half of what is shown [m]
+    constexpr double kSmallest = 1.0;     // half the extent shown [m]
     std::array<double, 2> low{0.0, 0.0};  // the scanner is in the picture
     std::array<double, 2> high{0.0, 0.0};
     for (int axis = 0; axis < 2 && !cloud.points.empty(); ++axis) {
@@ -70,7 +70,7 @@ cv::Point shifted(const cv::Point2d& p) {
   return {cvRound(p.x * kScale), cvRound(p.y * kScale)};
 }
 
-/// A round distance, of which about ten are in the picture.
+/// A round grid spacing that yields about ten lines in the picture.
 double gridOf(const View& view) {
   const double wanted = 2.0 * view.reach() / 10.0;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -123,10 +123,10 @@ void drawPoints(cv::Mat& picture, const View& view, const LabelledCloud& cloud,
     }
   };
   draw(false);
-  draw(true);  // on top of what is around them
+  draw(true);  // on top of their surroundings
 }
 
-/// An arrow ahead.
+/// Draws an arrow that points ahead.
 void drawScanner(cv::Mat& picture, const View& view) {
   const cv::Point2d at = view.pixel(0.0, 0.0);
   const std::vector<cv::Point> arrow = {
@@ -137,7 +137,8 @@ void drawScanner(cv::Mat& picture, const View& view) {
   cv::polylines(picture, arrow, true, cv::Scalar::all(0), 1, cv::LINE_AA, kFractionBits);
 }
 
-/// The outline of an object's box from above, or of its points; nothing of one that has neither.
+/// The outline from above of an object's box or, without one, of its points; empty if it has
+/// neither.
 std::vector<cv::Point2f> outlineOf(std::uint16_t number, const LabelledCloud::Object& object,
                                    const LabelledCloud& cloud, const View& view) {
   std::vector<cv::Point2f> outline;
@@ -163,7 +164,7 @@ std::vector<cv::Point2f> outlineOf(std::uint16_t number, const LabelledCloud::Ob
   return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
-/// Writes captions beside outlines so that none covers another.
+/// Writes captions beside outlines without overlap.
 class Captions {
  public:
   explicit Captions(cv::Mat& picture) : picture_(picture) {}

@@ -14,15 +14,15 @@ namespace synthetic_dataset::formats {
 /// A cloud seen from above.
 struct CloudFromAbove {
   cv::Mat picture;    ///< CV_8UC3
-  double grid = 1.0;  ///< from line to line [m]
+  double grid = 1.0;  ///< spacing of the grid lines [m]
 };
 
-/// A length as people write it: 0.5, 20.
+/// A length in readable form: 0.5, 20.
 [[nodiscard]] std::string metresText(double metres);
 
-/// Draws a cloud seen from above: ahead is up, left is left. Nearly all of its points are in the
-/// picture, coloured by class, above a grid of metres; the scanner is an arrow; objects have their
-/// boxes' outlines, and how many points they have.
+/// Draws a cloud seen from above: forward is up, left is left. The picture shows nearly all of its
+/// points, coloured by class, over a metric grid; an arrow for the scanner; and for each object its
+/// box's outline and its number of points.
 /// @param size  the picture is square [px]
 [[nodiscard]] CloudFromAbove cloudFromAbove(const LabelledCloud& cloud,
                                             const std::map<std::uint16_t, ClassColour>& colours,

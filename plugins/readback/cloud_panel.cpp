@@ -17,8 +17,8 @@ namespace {
 constexpr int kPanelWidth = 1200;  // [px]
 constexpr int kFromAbove = 840;    // [px]
 constexpr int kStrip = 160;        // height of a range image [px]
-constexpr int kTitle = 26;         // above each [px]
-constexpr int kTicks = 22;         // below the lower one [px]
+constexpr int kTitle = 26;         // above each view [px]
+constexpr int kTicks = 22;         // below the lower range image [px]
 constexpr int kLine = 24;          // of the legend [px]
 constexpr int kPanelFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kPaper = cv::Scalar::all(30);
@@ -37,7 +37,7 @@ void write(cv::Mat& picture, const std::string& text, const cv::Point& place, do
   cv::putText(picture, text, place, kPanelFont, size, colour, 1, cv::LINE_AA);
 }
 
-/// 12,345
+/// Groups thousands: 12,345.
 std::string grouped(std::int64_t number) {
   std::string text = std::to_string(number);
   for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3) {
@@ -64,7 +64,7 @@ class Legend {
 
   void skip() { y_ += kLine / 2; }
 
-  /// A row with a mark of a colour, a name and a number.
+  /// Writes a row with a coloured mark, a name and a number.
   void row(const cv::Scalar& colour, bool is_hollow, std::string name, const std::string& number) {
     constexpr double kSize = 0.48;
     const int right = picture_.cols - 12;
@@ -77,7 +77,7 @@ class Legend {
     y_ += kLine;
   }
 
-  /// How many more lines there is room for.
+  /// How many more lines fit.
   [[nodiscard]] int room() const { return (picture_.rows - y_) / kLine; }
 
  private:
@@ -87,7 +87,7 @@ class Legend {
   int y_ = 30;
 };
 
-/// The numbers and their counts, the greatest counts first.
+/// The numbers with their counts, the greatest count first.
 std::vector<std::pair<std::uint16_t, std::int64_t>> byCount(
     const std::map<std::uint16_t, std::int64_t>& counts) {
   std::vector<std::pair<std::uint16_t, std::int64_t>> order(counts.begin(), counts.end());
@@ -157,7 +157,7 @@ void drawLegend(const cv::Mat& picture, const LabelledCloud& cloud,
   listObjects(legend, cloud, colours);
 }
 
-/// Angles below a range image, from the left edge to the right one.
+/// Draws angle ticks below a range image, from the left edge to the right.
 void drawAngles(cv::Mat picture, const RangeImages& images) {
   const double left = images.left * kDegrees;
   const double right = images.right * kDegrees;

@@ -9,10 +9,10 @@
 
 namespace synthetic_dataset::formats {
 
-/// Draws a cloud for the eye: from above with a legend that has its numbers, and below the range
-/// image with ranges and with labels. Of the same size whatever the cloud is.
-/// @param cloud  in which points that are no numbers may be
-/// @param object_classes  of the dataset, as `classColours` takes them
+/// Draws a cloud for viewing: from above, with a legend that gives point counts, and below this the
+/// range image with ranges and with labels. The size does not depend on the cloud.
+/// @param cloud  may contain points that are not numbers
+/// @param object_classes  as for `classColours`
 [[nodiscard]] cv::Mat drawCloud(LabelledCloud cloud,
                                 const std::vector<std::string>& object_classes);
 

@@ -10,13 +10,13 @@
 
 namespace synthetic_dataset::formats {
 
-/// The index of a lidar; nothing where there is none of this name.
+/// The index of a lidar; nothing if there is none of this name.
 [[nodiscard]] std::optional<std::size_t> lidarNamed(const std::string& name,
                                                     const DatasetInfo& dataset);
 
-/// The points of a file in KITTI's form, as the manifest knows them.
+/// The points of a file in KITTI's form, in the form that the manifest has a digest of.
 /// @param settings  of the writer, with `motion_corrected`
-/// @throws Error where it ends within a point
+/// @throws Error if it ends within a point
 [[nodiscard]] DecodedPicture velodynePicture(const std::filesystem::path& file, std::size_t lidar,
                                              const Value::Map& settings);
 

@@ -20,7 +20,7 @@ std::vector<std::array<cv::Point2d, 2>> cuboidLines(const Cuboid& cuboid_O, cons
       last = place;
     }
   };
-  // Corners whose numbers differ in one bit share an edge.
+  // Corners whose indices differ in one bit share an edge.
   for (unsigned from = 0; from < 8; ++from) {
     for (const unsigned bit : {1U, 2U, 4U}) {
       if ((from & bit) == 0) drawEdge(corners[from], corners[from | bit]);

@@ -11,8 +11,8 @@
 
 namespace synthetic_dataset::formats {
 
-/// The edges of an object's cuboid as the camera has them [px], in short pieces, as lenses bend
-/// them. Pieces that have no place on the image's plane are left out.
+/// The edges of an object's cuboid as projected by the camera [px], in short pieces because lenses
+/// bend them. Pieces that do not project onto the image plane are left out.
 [[nodiscard]] std::vector<std::array<cv::Point2d, 2>> cuboidLines(const Cuboid& cuboid_O,
                                                                   const Pose& X_CO,
                                                                   const CameraModel& camera);

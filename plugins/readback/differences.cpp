@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kNamed = 3;  // of many differences
+constexpr std::size_t kNamed = 3;  // number listed of many differences
 
 std::string shown(const std::string& text) {
   constexpr std::size_t kLongest = 200;
@@ -26,8 +26,8 @@ std::string shown(const json& value) {
   return shown(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-/// Whether a number is the other one but for what is lost in text and in sums. An angle of half a
-/// turn has two names.
+/// Whether two numbers are equal up to rounding in text and in sums. An angle of half a turn has
+/// two representations.
 bool areNear(double found, double right) {
   constexpr double kTolerance = 1e-6;
   const auto isNear = [&](double number) {
@@ -36,12 +36,12 @@ bool areNear(double found, double right) {
   return isNear(right) || (std::abs(std::abs(right) - M_PI) <= kTolerance && isNear(-right));
 }
 
-/// Of values that are no lists or objects.
+/// Compares values that are neither lists nor objects.
 bool areEqual(const json& found, const json& right) {
   if (right.is_number_float()) {
     return found.is_number() && areNear(found.get<double>(), right.get<double>());
   }
-  // Which of the two kinds of whole numbers a library takes depends on the sign alone.
+  // Which of the two integer types the library uses depends only on the sign.
   if (right.is_number_integer()) return found.is_number_integer() && found == right;
   return found.type() == right.type() && found == right;
 }
@@ -53,7 +53,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-/// The words of a line, and its punctuation marks.
+/// A line's words and punctuation marks.
 std::vector<std::string> wordsAndMarksOf(const std::string& line) {
   constexpr const char* kBlanks = " \t\r";
   constexpr const char* kEnds = " \t\r,;:=<>()[]{}\"'";
@@ -74,16 +74,16 @@ std::optional<double> number(const std::string& word) {
   return std::nullopt;
 }
 
-/// How far a number may be from one that is written like this; nothing where it is no number with
+/// How far a number may differ from one written like this; nothing if the word is not a number with
 /// decimals.
 std::optional<double> toleranceOf(const std::string& word) {
   const std::size_t point = word.find('.');
   if (point == std::string::npos || !number(word)) return std::nullopt;
   const std::size_t end = word.find_first_not_of("0123456789", point + 1);
   const std::size_t decimals = (end == std::string::npos ? word.size() : end) - point - 1;
-  constexpr std::size_t kMany = 10;  // of a number in full
+  constexpr std::size_t kMany = 10;  // decimals of a number written in full precision
   if (decimals >= kMany) return 1e-6;
-  constexpr double kOneStep = 1.001;  // as floating point has it
+  constexpr double kOneStep = 1.001;  // allows for floating-point rounding
   return kOneStep * std::pow(10.0, -static_cast<double>(decimals));
 }
 
@@ -93,7 +93,7 @@ bool areEqual(const std::string& found, const std::string& right) {
   const std::optional<double> value = tolerance ? number(found) : std::nullopt;
   if (!value) return false;
   const double exact = *number(right);
-  constexpr double kRelative = 1e-9;  // of large numbers less is known than their decimals say
+  constexpr double kRelative = 1e-9;  // large numbers are less precise than their decimals suggest
   const double most = *tolerance + kRelative * std::abs(exact);
   const bool is_half_turn = std::abs(std::abs(exact) - M_PI) <= most;
   return std::abs(*value - exact) <= most || (is_half_turn && std::abs(*value + exact) <= most);
@@ -104,7 +104,7 @@ void compareLine(const std::string& found, const std::string& right, const std::
   const std::vector<std::string> words = wordsAndMarksOf(found);
   const std::vector<std::string> right_words = wordsAndMarksOf(right);
   const std::vector<std::string> other_words = wordsAndMarksOf(other != nullptr ? *other : right);
-  if (other_words.size() != right_words.size()) return;  // of which nobody knows which is right
+  if (other_words.size() != right_words.size()) return;  // unknown which is right
   if (words.size() != right_words.size()) {
     differences.add(where, "'" + shown(found) + "'", "'" + shown(right) + "'");
     return;
@@ -119,8 +119,8 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Whether two numbers, of which nobody knows that they are numbers, are the same but for their
-/// last digits: bytes of other things are tiny or huge numbers.
+/// Whether two values that may not actually be numbers are equal except for their last digits:
+/// bytes of other data appear as tiny or huge numbers.
 bool areTheSameNumber(double one, double other) {
   constexpr double kNothing = 1e-9;
   constexpr double kTiny = 1e-30;
@@ -133,7 +133,7 @@ bool areTheSameNumber(double one, double other) {
          std::abs(one - other) <= kNothing * std::abs(one);
 }
 
-/// Whether a place in both holds such numbers of 64 bits.
+/// Whether both contain such nearly equal 64-bit numbers at a position.
 bool areNearAt(std::size_t at, const std::string& found, const std::string& right) {
   double one = 0.0;
   double two = 0.0;
@@ -143,7 +143,7 @@ bool areNearAt(std::size_t at, const std::string& found, const std::string& righ
   return areTheSameNumber(one, two);
 }
 
-/// @param first  where numbers of 64 bits begin; nothing: they may be anywhere
+/// @param first  offset at which 64-bit numbers begin; nothing: they may be anywhere
 void compareNumbers(const std::string& found, const std::string& right,
                     const std::optional<std::size_t>& first, const std::string& where,
                     Differences& differences) {
@@ -153,7 +153,7 @@ void compareNumbers(const std::string& found, const std::string& right,
   }
   for (std::size_t i = 0; i < right.size(); ++i) {
     if (found[i] == right[i]) continue;
-    // Of a number in the order of memory, the last digits come first.
+    // A number's least significant bytes come first in memory.
     std::size_t at = first ? i - (i - std::min(i, *first)) % sizeof(double) : i;
     while (!first && at > 0 && i - at < sizeof(double) - 1 && !areNearAt(at, found, right)) --at;
     if ((first && i < *first) || !areNearAt(at, found, right)) {
@@ -164,7 +164,7 @@ void compareNumbers(const std::string& found, const std::string& right,
   }
 }
 
-/// A line that is JSON as such, others as text.
+/// Compares a line as JSON if it is JSON, otherwise as text.
 void compareRecordLine(const std::string& found, const std::string& right, const std::string& where,
                        Differences& differences, const std::string& other) {
   const json one = jsonIfAny(found);

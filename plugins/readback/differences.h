@@ -6,19 +6,19 @@
 
 #include <nlohmann/json.hpp>
 
-/// Comparing what files hold with what they should hold, value by value.
+/// Compares the content of files with the expected content, value by value.
 ///
-/// `other` is a second version of what is right, or null: where the two differ, nobody knows what
-/// is right, and any value will do.
+/// `other` is a second version of the expected content, or null: where the two differ, the right
+/// value is unknown and any value is accepted.
 namespace synthetic_dataset::formats {
 
-/// What differs, a line each; of many, the first few and their number.
+/// The differences, one per line; if there are many, the first few and their number.
 class Differences {
  public:
-  /// @param where  in which file, and where in it
+  /// @param where  the file, and the place in it
   void add(const std::string& where, const std::string& found, const std::string& right);
 
-  /// The same with a sentence.
+  /// Adds a difference as a sentence.
   void add(const std::string& line);
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
@@ -29,28 +29,28 @@ class Differences {
   std::size_t count_ = 0;
 };
 
-/// Compares a tree of JSON with the right one: the same members, entries and values. Whole numbers
-/// are to be equal, other numbers near.
+/// Compares a JSON tree with the expected one: the same members, entries and values. Integers must
+/// be equal, other numbers close.
 void compareJson(const nlohmann::json& found, const nlohmann::json& right, const std::string& where,
                  Differences& differences, const nlohmann::json* other = nullptr);
 
-/// Compares texts line by line and word by word; words end at blanks and at punctuation marks.
-/// Words that have decimals in the right text may differ by one in the last of them, or by 1e-6
-/// where they have many; what is no number is to be equal.
+/// Compares texts line by line and word by word; words end at blanks and punctuation marks. Words
+/// with decimals in the expected text may differ by one in the last decimal, or by 1e-6 if they
+/// have many; words that are not numbers must be equal.
 void compareText(const std::string& found, const std::string& right, const std::string& where,
                  Differences& differences, const std::string* other = nullptr);
 
-/// Compares the contents of files in the way that their name asks for: JSON, NumPy arrays of
-/// doubles, other bytes, which are to be equal, or text.
-/// @param name  of the file, for the lines
+/// Compares the contents of files according to their name: as JSON, NumPy arrays of doubles, text,
+/// or other bytes, which must be equal.
+/// @param name  of the file, for messages
 void compareContents(const std::string& found, const std::string& right, const std::string& name,
                      Differences& differences, const std::string* other = nullptr);
 
-/// Whether it has no bytes but those of letters, digits, marks and blanks.
+/// Whether it has no control characters except line ends and tabs.
 [[nodiscard]] bool isText(const std::string& bytes);
 
-/// Compares what writers keep in the manifest: as text or, where it is none, as bytes, in which
-/// numbers of 64 bits may be near.
+/// Compares the records that writers keep in the manifest: as text or, if they are not text, as
+/// bytes, in which 64-bit numbers need only be close.
 void compareRecords(const std::string& found, const std::string& right, const std::string& where,
                     Differences& differences, const std::string* other = nullptr);
 

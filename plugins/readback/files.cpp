@@ -26,7 +26,7 @@ bool startsWith(const std::string& bytes, const std::string& start) {
   return bytes.compare(0, start.size(), start) == 0;
 }
 
-/// The pixels that a JPEG's frame header announces (ITU T.81, B.2.2), 0 where there is none.
+/// The number of pixels that a JPEG's frame header announces (ITU T.81, B.2.2), 0 if there is none.
 std::uint64_t pixelsOfJpeg(const std::string& bytes) {
   std::size_t at = 2;
   while (at + 4 <= bytes.size() && bigEndian(bytes, at, 1) == 0xFF) {
@@ -47,7 +47,8 @@ std::uint64_t littleEndian(const std::string& bytes, std::size_t at, std::size_t
   return number;
 }
 
-/// The pixels that the first directory of a little-endian TIFF announces (TIFF 6.0, section 2).
+/// The number of pixels that the first directory of a little-endian TIFF announces (TIFF 6.0,
+/// section 2).
 std::uint64_t pixelsOfTiff(const std::string& bytes) {
   constexpr std::uint64_t kWidth = 256;
   constexpr std::uint64_t kHeight = 257;
@@ -66,7 +67,8 @@ std::uint64_t pixelsOfTiff(const std::string& bytes) {
   return width * height;
 }
 
-/// The pixels that a picture's header announces, 0 where it is of no kind that datasets have.
+/// The number of pixels that a picture's header announces; 0 if it is not of a type found in
+/// datasets.
 std::uint64_t claimedPixels(const std::string& bytes) {
   if (startsWith(bytes, "\x89PNG\r\n\x1A\n")) {
     return bigEndian(bytes, 16, 4) * bigEndian(bytes, 20, 4);
@@ -76,8 +78,8 @@ std::uint64_t claimedPixels(const std::string& bytes) {
   return 0;
 }
 
-/// Whether a picture's file is long enough for the size that it announces: zlib makes a byte of
-/// 1032 at most, and they may hold 8 pixels each.
+/// Whether a picture's file is long enough for the size that it announces: zlib compresses at most
+/// 1032 bytes to one, and each may hold 8 pixels.
 bool isPlausible(const std::string& bytes) {
   constexpr std::uint64_t kMostPixelsOfAByte = 10000;
   const std::uint64_t pixels = claimedPixels(bytes);
@@ -87,7 +89,7 @@ bool isPlausible(const std::string& bytes) {
 }  // namespace
 
 std::string readText(const std::filesystem::path& file) {
-  std::error_code ignored;  // what is no file, a device, may never end
+  std::error_code ignored;  // a device, which is not a regular file, may never end
   if (!std::filesystem::is_regular_file(file, ignored)) {
     throw Error("'" + file.string() + "': cannot be read");
   }
@@ -155,7 +157,7 @@ cv::Mat readPicture(const std::filesystem::path& file, int mode) {
   cv::Mat picture;
   try {
     const cv::Mat content(1, static_cast<int>(bytes.size()), CV_8UC1,
-                          const_cast<char*>(bytes.data()));  // which is only read
+                          const_cast<char*>(bytes.data()));  // only read
     if (isPlausible(bytes)) picture = cv::imdecode(content, mode);
   } catch (const cv::Exception&) {
     picture.release();

@@ -15,52 +15,52 @@
 
 namespace synthetic_dataset::formats {
 
-/// What numbers of a file can say of a depth.
+/// How a file's numbers represent depth.
 struct DepthNumbers {
-  double unit = 1.0;      ///< what 1 is [m]
-  double rounding = 0.0;  ///< how far a pixel's depth may be off [m]
+  double unit = 1.0;      ///< value of 1 [m]
+  double rounding = 0.0;  ///< maximum error of a pixel's depth [m]
   double greatest = std::numeric_limits<double>::infinity();  ///< [m]
 };
 
-/// One of a scene's pictures that files hold in another form than it has in Scene.
+/// One of a scene's pictures that files store in a different form than Scene.
 struct DecodedPicture {
-  std::string name;       ///< in Scene: "depth"; of clouds as base/cloud_pictures.h has them
-  cv::Mat pixels;         ///< as Scene has them, as far as the files say
-  std::string stored_as;  ///< the manifest's name of what is stored; empty: it has no digest of it
-  cv::Mat stored;         ///< pixels of that digest, as the files have them
-  DepthNumbers numbers = {};  ///< what `stored` can say of a depth
+  std::string name;           ///< as in Scene: "depth"; for clouds as in base/cloud_pictures.h
+  cv::Mat pixels;             ///< in Scene's form, as far as the files tell
+  std::string stored_as;      ///< the stored picture's name in the manifest; empty: no digest
+  cv::Mat stored;             ///< the pixels of that digest, as in the files
+  DepthNumbers numbers = {};  ///< how `stored` represents depth
 
-  /// The files that hold this picture and nothing else.
+  /// The files that contain only this picture.
   std::vector<std::filesystem::path> files;
 };
 
-/// What programs know of a format beside its writer. Each folder of a format has a namespace of its
-/// name with a function `Format format()` in it, from which CMake makes the list of all.
+/// What programs know about a format besides its writer. Each format's folder defines a namespace
+/// of the same name with a function `Format format()`; CMake makes the list of all formats from
+/// these.
 struct Format {
-  std::string type;  ///< of its writer, as plugins.xml has it: "synthetic_dataset/Yolo"
+  std::string type;  ///< of its writer, as in plugins.xml: "synthetic_dataset/Yolo"
 
-  /// Whether labels can only be read when the files of the dataset as a whole are there.
+  /// Whether labels can only be read once the files that describe the whole dataset exist.
   bool needs_dataset_files = false;
 
-  /// Reads what a writer made of a scene from its files alone.
-  /// @throws Error naming the file that is missing or not as the format has it
+  /// Reads what a writer made of a scene, from its files only.
+  /// @throws Error naming the file that is missing or violates the format
   LabelledPicture (*read)(const WrittenScene& scene) = nullptr;
 
-  /// Pictures of a scene that its files hold in another form; null where the format has none.
+  /// Reads pictures of a scene that its files store in another form; null if the format has none.
   /// @throws Error as `read` does
   std::vector<DecodedPicture> (*pictures)(const WrittenScene& scene, const CameraModel& camera,
                                           const DatasetInfo& dataset) = nullptr;
 
-  /// The sweeps of lidars that a scene's files hold; null where the format has none.
+  /// Reads the lidar sweeps in a scene's files; null if the format has none.
   /// @throws Error as `read` does
   std::vector<LabelledCloud> (*clouds)(const WrittenScene& scene) = nullptr;
 };
 
-/// The name of each format's folder, under which users know it ("pascal_voc"), and its writer's
-/// type.
+/// The name of each format's folder, by which users know it ("pascal_voc"), and its writer's type.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& formatNames();
 
-/// The format of a type of writer; null where it is none of this package's.
+/// The format of a type of writer; null if it is not one of this package's.
 [[nodiscard]] const Format* formatOf(const std::string& writer_type);
 
 }  // namespace synthetic_dataset::formats

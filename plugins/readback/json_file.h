@@ -12,8 +12,9 @@
 
 namespace synthetic_dataset::formats {
 
-/// A whole number that fits. (nlohmann's conversion takes any number: of 1e99, whatever comes.)
-/// @throws UnfitJson, or nlohmann's exception where it is no number
+/// Returns an integer after checking its range. (nlohmann's conversion accepts any number, even
+/// 1e99, with an arbitrary result.)
+/// @throws UnfitJson, or nlohmann's exception if it is not a number
 template <class Integer = int>
 [[nodiscard]] Integer integerOf(const nlohmann::json& value) {
   using Limits = std::numeric_limits<Integer>;
@@ -24,8 +25,8 @@ template <class Integer = int>
   return value.get<Integer>();
 }
 
-/// Does what reads JSON of a file: what it finds missing or of another kind than it should be
-/// becomes an Error that names the file.
+/// Calls a function that reads a file's JSON: members that are missing or of the wrong type become
+/// an Error that names the file.
 template <class Read>
 auto readingJson(const std::filesystem::path& file, const Read& read) {
   try {
@@ -37,8 +38,8 @@ auto readingJson(const std::filesystem::path& file, const Read& read) {
   }
 }
 
-/// What `read` makes of a file's JSON.
-/// @throws Error naming the file where it is no JSON, or not what `read` looks for
+/// Returns what `read` makes of a file's JSON.
+/// @throws Error naming the file if it is not JSON, or not what `read` expects
 template <class Read>
 auto readJson(const std::filesystem::path& file, const Read& read) {
   return readingJson(file, [&] { return read(parsedJson<nlohmann::json>(readText(file))); });

@@ -9,14 +9,14 @@
 
 namespace synthetic_dataset::formats {
 
-/// What readers keep from scene to scene of files that describe many, so that each is read once and
-/// not for every scene. The files must not change as long as it lives.
+/// Keeps the content of files that describe many scenes, so that readers read each once rather than
+/// for every scene. The files must not change during its lifetime.
 class KeptFiles {
  public:
-  /// A file's content: `Content(file)` of the first call, or of one long ago.
+  /// A file's content: `Content(file)`, made at the first call and kept for later ones.
   template <class Content>
   [[nodiscard]] std::shared_ptr<const Content> get(const std::filesystem::path& file) {
-    constexpr std::size_t kMost = 64;  // BOP uses three for each camera at a time
+    constexpr std::size_t kMost = 64;  // BOP uses three per camera at a time
     const Key key(typeid(Content), file);
     if (const auto found = contents_.find(key); found != contents_.end()) {
       return std::static_pointer_cast<const Content>(found->second);

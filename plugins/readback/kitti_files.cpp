@@ -13,8 +13,8 @@ namespace synthetic_dataset::formats {
 namespace {
 
 /// The corners of a label's 3D box in the camera's frame [m], in the order of Cuboid::corners(). As
-/// the devkit's matlab/computeBox3D.m: the box stands on its location, turned about the camera's y
-/// axis; its length lies along its x.
+/// in the devkit's matlab/computeBox3D.m, the box stands on its location, rotated about the
+/// camera's y axis; its length is along its x axis.
 /// @param n  the seven columns from height on
 std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& n) {
   const Eigen::Vector3d size(n[2], n[1], n[0]);  // length, width, height
@@ -31,7 +31,7 @@ std::array<Eigen::Vector3d, 8> kittiCorners(const std::vector<double>& n) {
 }
 
 /// The 3 x 4 matrix of a calibration file, row by row.
-/// @param name  what its line begins with: "P2:"
+/// @param name  the beginning of its line: "P2:"
 std::vector<double> readMatrix(const std::filesystem::path& file, const std::string& name) {
   for (const std::string& line : readLines(file)) {
     const auto words = wordsOf(line);

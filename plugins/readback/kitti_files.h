@@ -10,26 +10,26 @@
 #include "plugins/readback/written_scene.h"
 #include "synthetic_dataset/camera_model.h"
 
-/// What readers of KITTI's benchmarks share.
+/// Shared by the readers of KITTI's benchmarks.
 namespace synthetic_dataset::formats {
 
-/// The matrix P2 of a calibration file: of the camera that made the images.
+/// The matrix P2 of a calibration file: that of the camera that took the images.
 [[nodiscard]] Intrinsics readKittiCamera(const std::filesystem::path& file);
 
-/// The lidar whose points a writer's `velodyne` asks for; nothing for those of a depth image.
+/// The lidar whose points a writer's `velodyne` asks for; nothing if they come from a depth image.
 [[nodiscard]] std::optional<std::string> kittiLidar(const WrittenScene& scene);
 
-/// The lidar's points, and the objects that lines of labels describe; what is DontCare is none.
-/// @param lines  of each label, its columns from the type on
-/// @param file, calibration  where the labels stand, and what says where the scanner is
+/// The lidar's points, and the objects described by label lines, without DontCare regions.
+/// @param lines  for each label, its columns from the type on
+/// @param file, calibration  the files of the labels, and of the scanner's pose
 [[nodiscard]] LabelledCloud kittiCloud(const WrittenScene& scene,
                                        const std::vector<std::vector<std::string>>& lines,
                                        const std::filesystem::path& file,
                                        const std::filesystem::path& calibration);
 
-/// The label of a line.
+/// The label described by a line.
 /// @param words  its columns from the type on
-/// @throws Error naming the file and a word that is no number
+/// @throws Error naming the file and a word that is not a number
 [[nodiscard]] DrawnLabel kittiLabel(const std::vector<std::string>& words, const Intrinsics& camera,
                                     const std::filesystem::path& file);
 

@@ -14,16 +14,17 @@
 namespace synthetic_dataset::formats {
 namespace {
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito 2008), blue green red.
+/// Colours that colour-blind people can tell apart (Okabe and Ito 2008), blue green red.
 const std::array<cv::Scalar, 6> kColours = {cv::Scalar(233, 180, 86),  cv::Scalar(115, 158, 0),
                                             cv::Scalar(167, 121, 204), cv::Scalar(66, 228, 240),
                                             cv::Scalar(0, 159, 230),   cv::Scalar(0, 94, 213)};
 const cv::Scalar kBoxColour(240, 240, 240);
 const cv::Scalar kDark(20, 20, 20);
 
-constexpr int kSubpixelBits = 4;  // OpenCV draws at fractions of a pixel when points come shifted
+constexpr int kSubpixelBits = 4;  // OpenCV draws at fractions of a pixel in shifted coordinates
 
-/// A place on the picture or about it; what is no number is far away as well.
+/// A point in fixed-point coordinates, limited to the picture's surroundings; NaN is far away as
+/// well.
 cv::Point shifted(double u, double v) {
   constexpr double kScale = 1 << kSubpixelBits;
   constexpr double kFarthest = 1 << 16;  // [px]
@@ -35,7 +36,7 @@ cv::Point shifted(double u, double v) {
 }
 
 void tint(cv::Mat& image, const cv::Mat& mask, const cv::Scalar& colour) {
-  constexpr double kStrength = 0.25;  // what is below has to be seen, too
+  constexpr double kStrength = 0.25;  // the picture below has to remain visible
   cv::Mat tinted;
   cv::addWeighted(image, 1.0 - kStrength, cv::Mat(image.size(), image.type(), colour), kStrength,
                   0.0, tinted);
@@ -75,7 +76,7 @@ cv::Mat filled(const std::vector<cv::Point2d>& polygon, const cv::Size& size) {
   return mask;
 }
 
-/// The box around all that a label shows; nothing where it shows nothing.
+/// The box around everything that a label shows; nothing if it shows nothing.
 std::optional<Box> extentOf(const DrawnLabel& label) {
   if (label.box) return *label.box;
   if (!label.mask.empty()) return boxAround(maskBounds(label.mask));
@@ -97,7 +98,7 @@ void write(cv::Mat& image, const std::string& caption, const Box& extent) {
   constexpr double kSize = 0.42;
   int baseline = 0;
   const cv::Size text = cv::getTextSize(caption, cv::FONT_HERSHEY_SIMPLEX, kSize, 1, &baseline);
-  const auto between = [](double value, int low, int high) {  // the picture may be smaller than it
+  const auto between = [](double value, int low, int high) {  // the caption may not fit
     const double bounded = std::min(std::max(value, static_cast<double>(low)), 1.0 * high);
     return std::isnan(value) ? low : cvRound(bounded);
   };

@@ -9,13 +9,13 @@
 
 namespace synthetic_dataset::formats {
 
-/// The colour of labels of a number, as DrawnLabel::colour, blue green red. After a few, they
-/// repeat.
+/// The colour of labels with a number (DrawnLabel::colour), blue green red. The colours repeat
+/// after a few numbers.
 [[nodiscard]] cv::Scalar labelColour(std::size_t number);
 
-/// The picture with its labels on it, for the eye: tinted masks, outlines, boxes with captions,
-/// lines, keypoints (hollow where they are hidden).
-/// @throws Error where a mask is not of the picture's size
+/// The picture with its labels drawn on it, for viewing: tinted masks, outlines, boxes with
+/// captions, lines, keypoints (hollow if hidden).
+/// @throws Error if a mask is not of the picture's size
 [[nodiscard]] cv::Mat drawLabels(const LabelledPicture& picture);
 
 }  // namespace synthetic_dataset::formats

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::formats {
 namespace {
 
-/// Coordinates in a box in which it spans 0 to 1 along each axis.
+/// Coordinates in which a box spans 0 to 1 along each axis.
 class BoxFrame {
  public:
   explicit BoxFrame(const std::array<Eigen::Vector3d, 8>& corners_S) : origin_S_(corners_S[0]) {
@@ -36,7 +36,7 @@ class BoxFrame {
   bool is_flat_ = false;
 };
 
-/// The number of a class, a new one where it has none yet.
+/// The number of a class; a new one if it has none yet.
 std::uint16_t numberOf(LabelledCloud& cloud, const std::string& class_name) {
   for (const auto& [number, name] : cloud.classes) {
     if (name == class_name) return number;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// A point as the scanner sees it.
+/// A point in the scanner's spherical coordinates.
 struct Direction {
   double azimuth = 0.0;    ///< [rad]
   double elevation = 0.0;  ///< [rad]
@@ -26,7 +26,7 @@ Direction directionOf(const Eigen::Vector3f& p_S) {
 
 /// The row of each ring, the highest first.
 std::vector<int> rowsOfRings(const LabelledCloud& cloud, const std::vector<Direction>& directions) {
-  std::vector<std::pair<double, int>> sums;  // of elevations, and how many
+  std::vector<std::pair<double, int>> sums;  // sum of elevations, and count
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const std::size_t ring = cloud.points[i].ring;
     if (ring >= sums.size()) sums.resize(ring + 1);
@@ -45,7 +45,8 @@ std::vector<int> rowsOfRings(const LabelledCloud& cloud, const std::vector<Direc
   return rows;
 }
 
-/// Which point each cell of the picture shows; -1 for none. The nearest of several.
+/// The index of the point that each cell of the picture shows; -1 for none. Of several, the
+/// nearest.
 class Cells {
  public:
   Cells(const cv::Size& size, const std::vector<Direction>& directions)
@@ -68,7 +69,7 @@ class Cells {
   const std::vector<Direction>& directions_;
 };
 
-/// Gives cells that have no point that of a neighbour, so that sparse rows are seen.
+/// Fills empty cells with a neighbour's point, so that sparse rows are visible.
 cv::Mat_<int> spread(const cv::Mat_<int>& cells, int columns, int rows) {
   cv::Mat_<int> result = cells.clone();
   for (int row = 0; row < cells.rows; ++row) {
@@ -85,7 +86,7 @@ cv::Mat_<int> spread(const cv::Mat_<int>& cells, int columns, int rows) {
   return result;
 }
 
-/// The cells of a picture of a size, and from which azimuth to which they are.
+/// The cells of a picture of the given size; also sets the range of azimuths in `images`.
 cv::Mat_<int> cellsOf(const LabelledCloud& cloud, const std::vector<Direction>& directions,
                       const cv::Size& size, RangeImages& images) {
   double left = -kPi;
@@ -159,7 +160,7 @@ RangeImages rangeImages(const LabelledCloud& cloud,
   cells = spread(cells, gap_columns, cloud.has_rings ? 0 : 1);
 
   constexpr int kShades = 256;
-  constexpr double kLightest = 125.0;  // of what has no class, which is darker the farther it is
+  constexpr double kLightest = 125.0;  // for points without a class, which get darker with range
   const cv::Mat scale = rangeScale({kShades, 1});
   for (int v = 0; v < size.height; ++v) {
     const int row = v * cells.rows / size.height;
@@ -167,7 +168,7 @@ RangeImages rangeImages(const LabelledCloud& cloud,
       const int i = cells(row, u);
       if (i < 0) continue;
       const auto at = static_cast<std::size_t>(i);
-      // By the ratio, as near things differ more.
+      // On a logarithmic scale, which gives near ranges more contrast.
       const double share = std::log(std::max(directions[at].range, kLeast) / images.nearest) /
                            std::log(images.farthest / images.nearest);
       const int shade = static_cast<int>(std::clamp(share, 0.0, 1.0) * (kShades - 1));

@@ -19,13 +19,13 @@ struct WrittenScene {
   Stamp stamp{0};                            ///< Scene::stamp
   std::vector<std::filesystem::path> files;  ///< of this scene, absolute, in alphabetical order
 
-  /// Shared by the scenes of a dataset that are read one after another.
+  /// Shared by consecutively read scenes of a dataset.
   std::shared_ptr<KeptFiles> kept = std::make_shared<KeptFiles>();
 
-  Value::Map settings = {};  ///< the writer's, which it has accepted
+  Value::Map settings = {};  ///< the writer's accepted settings
 
-  /// The file whose path below `folder` ends in `end`; the first of several.
-  /// @throws Error when there is none
+  /// The file whose path relative to `folder` ends in `end`; the first if there are several.
+  /// @throws Error if there is none
   [[nodiscard]] std::filesystem::path file(const std::string& end) const;
 };
 

@@ -18,7 +18,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// Leaves a bag open and its memory in use for good.
+/// Leaks a bag on purpose: it stays open.
 void abandon(const rosbag::Bag* bag) {
 #ifdef SYNTHETIC_DATASET_LEAK_CHECK
   __lsan_ignore_object(bag);
@@ -46,8 +46,8 @@ BagRecording::~BagRecording() {
   try {
     bag_->close();
   } catch (const std::exception&) {
-    // The disk is full, say. rosbag::Bag's destructor would try again, and what it throws there
-    // ends the program before anybody hears of it.
+    // For example, the disk is full. rosbag::Bag's destructor would try again, and an exception
+    // thrown there would terminate the program before the error is reported.
     abandon(bag_.release());
   }
 }
@@ -66,8 +66,7 @@ void BagRecording::writeCompressed(const std::string& topic, const std_msgs::Hea
                                    const std::string& encoded) {
   sensor_msgs::CompressedImage message;
   message.header = header;
-  message.format =
-      "bgr8; png compressed bgr8";  // as compressed_image_transport writes and reads it
+  message.format = "bgr8; png compressed bgr8";  // as in compressed_image_transport
   message.data.assign(encoded.begin(), encoded.end());
   write(topic, message);
 }

@@ -11,37 +11,37 @@ namespace synthetic_dataset {
 /// A new ROS bag. http://wiki.ros.org/Bags/Format/2.0
 class BagRecording {
  public:
-  /// @throws rosbag::BagException, as the other methods do, when the disk is full
+  /// @throws rosbag::BagException if the disk is full, as do the other methods
   BagRecording(const std::string& file, rosbag::CompressionType compression);
   ~BagRecording();
   BagRecording(const BagRecording&) = delete;
   BagRecording& operator=(const BagRecording&) = delete;
 
-  /// Recorded at the stamp in its header.
+  /// Writes a message at the stamp in its header.
   template <class Message>
   void write(const std::string& topic, const Message& message) {
     write(topic, message.header.stamp, message);
   }
   template <class Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
-    bag_->write(topic, time, message);  // without a connection header: nobody's name gets in
+    bag_->write(topic, time, message);  // without a connection header: stores no node name
   }
 
-  /// The pixels of an encoded picture as sensor_msgs/Image.
-  /// @param encoding  of sensor_msgs/image_encodings.h
+  /// Writes the pixels of an encoded picture as sensor_msgs/Image.
+  /// @param encoding  one of sensor_msgs/image_encodings.h
   void writeImage(const std::string& topic, const std_msgs::Header& header,
                   const std::string& encoding, const std::string& encoded);
 
-  /// The same of a picture of depths, 0 where nothing is: not a number then, as REP 117 and
-  /// depth_image_proc have it.
+  /// Writes a depth picture; 0, where there is nothing, becomes NaN, as in REP 117 and
+  /// depth_image_proc.
   void writeDepth(const std::string& topic, const std_msgs::Header& header,
                   const std::string& encoded);
 
-  /// A PNG in colours, as it is, as sensor_msgs/CompressedImage.
+  /// Writes a colour PNG unchanged as sensor_msgs/CompressedImage.
   void writeCompressed(const std::string& topic, const std_msgs::Header& header,
                        const std::string& encoded);
 
-  /// The bag is whole only then.
+  /// The bag is only complete after this.
   void close();
 
  private:

@@ -18,7 +18,7 @@ std::string serialized(const Message& message) {
 }
 
 template <class Message>
-Message deserialized(std::string bytes) {  // ROS's stream reads from memory that it might write to
+Message deserialized(std::string bytes) {  // ROS's stream needs non-const memory
   ros::serialization::IStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
                                      static_cast<std::uint32_t>(bytes.size()));
   Message message;
@@ -26,7 +26,7 @@ Message deserialized(std::string bytes) {  // ROS's stream reads from memory tha
   return message;
 }
 
-// Where a point's numbers stand in its bytes, behind x, y and z.
+// Byte offsets of a point's fields after x, y and z.
 constexpr std::uint32_t kIntensity = 12;
 constexpr std::uint32_t kTime = 16;
 constexpr std::uint32_t kRing = 20;
@@ -54,7 +54,7 @@ void addFields(sensor_msgs::PointCloud2& message) {
   message.point_step = kPointBytes;
 }
 
-/// The lowest byte first, as all supported processors have it.
+/// Little-endian, like all supported processors.
 template <class Number>
 void put(Number number, std::uint8_t* bytes) {
   std::memcpy(bytes, &number, sizeof number);
@@ -115,7 +115,7 @@ sensor_msgs::PointCloud2 cloudMessage(const std_msgs::Header& header, const Clou
     for (std::size_t axis = 0; axis < 3; ++axis) {
       put(point.position_S[static_cast<Eigen::Index>(axis)], cell + 4 * axis);
     }
-    constexpr float kFull = 255.0F;  // as Velodyne's driver has it
+    constexpr float kFull = 255.0F;  // as in Velodyne's driver
     put(kFull * point.intensity, cell + kIntensity);
     put(static_cast<float>(1e-9 * point.time), cell + kTime);
     const std::size_t of_world = point.world_class > 0 ? object_classes + point.world_class : 0;

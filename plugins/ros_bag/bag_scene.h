@@ -16,7 +16,7 @@
 
 namespace synthetic_dataset {
 
-/// What a ROS bag holds of a scene beside its pictures: what is kept from the scene to the bag.
+/// The contents of a ROS bag for a scene besides its pictures, kept until the bag is written.
 struct BagScene {
   std::uint32_t camera_index = 0;
   ros::Time stamp;
@@ -26,28 +26,28 @@ struct BagScene {
   visualization_msgs::MarkerArray objects;
 };
 
-/// @throws Error when ROS has no such time
+/// @throws Error if ROS cannot represent the time
 [[nodiscard]] BagScene makeBagScene(const Scene& scene, const ros_messages::CameraFrame& camera,
                                     const ros_messages::SceneFrames& frames);
 
-/// As ROS serialises messages; `bagSceneOf` is the way back.
+/// Serialises in the way of ROS messages; `bagSceneOf` is the inverse.
 [[nodiscard]] std::string recordOf(const BagScene& scene);
 [[nodiscard]] BagScene bagSceneOf(const std::string& record);
 
-/// A lidar's sweep in a ROS bag: what is kept beside the file that has its points.
+/// A lidar's sweep in a ROS bag: what is kept besides the file with its points.
 struct BagCloud {
   std::uint32_t lidar = 0;  ///< its index in DatasetInfo::lidars
-  std::string file;         ///< with the message, as ROS serialises it
+  std::string file;         ///< contains the message, as serialised by ROS
   geometry_msgs::TransformStamped transform;
 };
 
 [[nodiscard]] std::string recordOf(const BagCloud& cloud);
 [[nodiscard]] BagCloud bagCloudOf(const std::string& record);
 
-/// An organised cloud, a row a ring and a column a time: `x`, `y`, `z` [m] as they were measured,
-/// not a number where nothing was; `intensity`, 0 .. 255; `time` since the header's stamp [s];
-/// `ring`; `label`, the class's number from 1, those of the world after those of objects, 0 for
-/// none; `instance`, the object's number from 1.
+/// An organised cloud with one row per ring and one column per time: `x`, `y`, `z` [m] as measured,
+/// NaN where there was nothing; `intensity`, 0 .. 255; `time` since the header's stamp [s]; `ring`;
+/// `label`, the class's number from 1, world classes after those of objects, 0 for none;
+/// `instance`, the object's number from 1.
 /// @param object_classes  how many there are
 [[nodiscard]] sensor_msgs::PointCloud2 cloudMessage(const std_msgs::Header& header,
                                                     const Cloud& cloud, std::size_t object_classes);

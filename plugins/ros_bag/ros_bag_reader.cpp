@@ -34,14 +34,14 @@ class OpenBag {
     }
   }
 
-  /// What stands before `/objects` and others in a camera's topics.
+  /// The common prefix of a camera's topics, before `/objects` and others.
   [[nodiscard]] const std::string& rootOf(std::size_t camera) const {
     if (camera < roots_.size()) return roots_[camera];
     throw Error("'" + file_.string() + "': found the topics of " + std::to_string(roots_.size()) +
                 " cameras; it should have more");
   }
 
-  /// @throws Error where there is none
+  /// @throws Error if there is none
   template <class Message>
   [[nodiscard]] Message at(const std::string& topic, const ros::Time& time) const {
     for (const rosbag::MessageInstance& each :
@@ -72,7 +72,7 @@ class OpenBag {
 
 fs::path bagIn(const fs::path& folder) {
   std::vector<fs::path> bags;
-  std::error_code error;  // no folder has no files
+  std::error_code error;  // a missing folder has no files
   for (fs::directory_iterator each(folder, error), end; !error && each != end;
        each.increment(error)) {
     if (each->path().extension() == ".bag") bags.push_back(each->path());
@@ -91,7 +91,7 @@ Pose poseOf(const Point& p, const Quaternion& q) {
 }
 
 CameraModel cameraOf(const sensor_msgs::CameraInfo& info) {
-  constexpr double kNear = 1e-3;  // a bag has no range of sight
+  constexpr double kNear = 1e-3;  // a bag has no near and far limits
   constexpr double kFar = 1e6;
   return {static_cast<int>(info.width),
           static_cast<int>(info.height),
@@ -106,7 +106,7 @@ std::vector<DrawnLabel> labelsOf(const OpenBag& bag, const std::string& root, co
                                  const cv::Mat& instances) {
   const auto info = bag.at<sensor_msgs::CameraInfo>(root + "/camera_info", time);
   const CameraModel camera = cameraOf(info);
-  Pose X_GC = Pose::Identity();  // where the camera's frame is the global one
+  Pose X_GC = Pose::Identity();  // if the camera's frame is the global one
   for (const geometry_msgs::TransformStamped& each : bag.transforms(time)) {
     if (each.child_frame_id != info.header.frame_id) continue;
     X_GC = poseOf(each.transform.translation, each.transform.rotation);
@@ -131,8 +131,8 @@ std::vector<DrawnLabel> labelsOf(const OpenBag& bag, const std::string& root, co
   return labels;
 }
 
-// Pictures lie beside the bag; in it are the boxes and what they are of, numbered as the pixels in
-// pictures of instances.
+// Pictures are beside the bag; the bag contains the boxes and their objects' names, numbered like
+// the pixels in instance pictures.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture{
       readPicture(scene.file("images/" + scene.name + ".png"), cv::IMREAD_COLOR), {}};
@@ -169,7 +169,7 @@ sensor_msgs::PointCloud2 readCloudMessage(const fs::path& file) {
   }
 }
 
-/// The points that were measured, with the numbers of their classes and objects.
+/// The measured points, with the numbers of their classes and objects.
 LabelledCloud pointsOf(const sensor_msgs::PointCloud2& message, const fs::path& file) {
   LabelledCloud cloud;
   cloud.has_rings = cloud.has_labels = true;
@@ -196,7 +196,7 @@ LabelledCloud pointsOf(const sensor_msgs::PointCloud2& message, const fs::path& 
   return cloud;
 }
 
-/// The boxes and names of objects, which the bag has of what the camera sees.
+/// Adds the boxes and names of objects, which the bag contains for those that the camera sees.
 void addObjects(LabelledCloud& cloud, const std::vector<Marker>& markers, const Pose& X_GS) {
   for (const Marker& box : markers) {
     if (box.type != Marker::CUBE || box.action != Marker::ADD) continue;

@@ -16,8 +16,9 @@
 
 namespace synthetic_dataset {
 
-/// A ROS bag of all scenes, to be played over the recording that they come from: images, camera
-/// info, depth, instances, poses, boxes. The pictures that it is made of lie beside it.
+/// A ROS bag of all scenes, to be played together with the recording from which they were made:
+/// images, camera info, depth, instances, poses, boxes. The pictures from which it is made are
+/// beside it.
 class RosBagWriter : public LabelWriter {
  private:
   struct Camera {
@@ -44,7 +45,7 @@ class RosBagWriter : public LabelWriter {
     }
   }
 
-  /// What stands before the topics of all cameras, and then of all lidars.
+  /// The topic prefixes of all cameras, followed by those of all lidars.
   static std::vector<std::string> topicsOf(const DatasetInfo& dataset, const std::string& root) {
     std::vector<std::string> names;
     for (const CameraDescription& camera : dataset.cameras) names.push_back(camera.name);
@@ -63,7 +64,7 @@ class RosBagWriter : public LabelWriter {
     object_classes_ = dataset.classes.size();
   }
 
-  /// Poses that several cameras share come with the first one.
+  /// Poses shared by several cameras are written with the first one.
   void addCameras(const std::vector<CameraDescription>& cameras,
                   const std::vector<std::string>& topics) {
     std::set<std::string> frames;
@@ -102,7 +103,7 @@ class RosBagWriter : public LabelWriter {
     }
   }
 
-  /// What stands before all topics: "" or "/a/b".
+  /// The prefix of all topics: "" or "/a/b".
   static std::string readRoot(WriterParameters& parameters) {
     const std::string prefix = parameters.optional<std::string>("topic_prefix", "");
     if (!std::all_of(prefix.begin(), prefix.end(), ros_messages::isTopicLetter)) {
@@ -130,7 +131,7 @@ class RosBagWriter : public LabelWriter {
     if (depth_) output.addImage(depthFile(scene.name), scene.depth());
     output.addRecord(kScenes,
                      recordOf(makeBagScene(scene, cameras_.at(scene.camera_index).frame, frames_)));
-    if (scene.camera_index == 0) writeClouds(scene, output);  // those of all cameras
+    if (scene.camera_index == 0) writeClouds(scene, output);  // shared by all cameras
   }
 
   void writeClouds(const Scene& scene, SceneOutput& output) const {
@@ -165,7 +166,7 @@ class RosBagWriter : public LabelWriter {
     });
   }
 
-  /// Poses come first: who listens can place what follows.
+  /// Poses come first, so that subscribers can place what follows.
   void play(const BagScene& scene, const DatasetOutput& files, BagRecording& bag) const {
     const Camera& camera = cameras_.at(scene.camera_index);
     const std_msgs::Header& header = scene.camera_info.header;
@@ -192,7 +193,7 @@ class RosBagWriter : public LabelWriter {
     bag.write(lidar_topics_.at(cloud.lidar) + "/points", cloudIn(files.readFile(cloud.file)));
   }
 
-  /// With camera info beside it, where RViz and depth_image_proc look for it.
+  /// Writes the depth, and camera info on the topic where RViz and depth_image_proc look for it.
   static void playDepth(const BagScene& scene, const Camera& camera, const DatasetOutput& files,
                         BagRecording& bag) {
     const std::string topic = camera.topic + "/depth";
@@ -211,8 +212,8 @@ class RosBagWriter : public LabelWriter {
     return "depth/" + scene + ".tiff";
   }
 
-  static constexpr const char* kScenes = "scenes";  // of records
-  static constexpr const char* kClouds = "clouds";  // of records
+  static constexpr const char* kScenes = "scenes";  // channel of records
+  static constexpr const char* kClouds = "clouds";  // channel of records
 
   std::string file_;
   rosbag::CompressionType compression_ = rosbag::compression::Uncompressed;
@@ -220,7 +221,7 @@ class RosBagWriter : public LabelWriter {
   bool depth_ = true;
   ros_messages::SceneFrames frames_{"", ""};
   std::vector<Camera> cameras_;
-  std::vector<LidarDescription> lidars_;  ///< whose clouds it has
+  std::vector<LidarDescription> lidars_;  ///< whose clouds are in the bag
   std::vector<std::string> lidar_topics_;
   std::size_t object_classes_ = 0;
 };

@@ -7,7 +7,7 @@
 namespace synthetic_dataset {
 
 SemanticKittiClasses::SemanticKittiClasses(Parameters& parameters, const DatasetInfo& dataset) {
-  constexpr int kLargest = 65535;  // a label has 16 bits for it
+  constexpr int kLargest = 65535;  // 16 bits of a label
   std::vector<std::string> classes;
   for (const ClassInfo& each : dataset.classes) classes.push_back(each.name);
   const std::size_t object_classes = classes.size();
@@ -35,7 +35,7 @@ SemanticKittiClasses::SemanticKittiClasses(Parameters& parameters, const Dataset
     while (found == given.end() && taken.count(next) != 0) ++next;
     const std::uint32_t number = found != given.end() ? found->second : next;
     taken.insert(number);
-    // Classes may share a number: trucks and buses that are one class to the user.
+    // Classes may share a number, for example trucks and buses that the user regards as one class.
     names_.emplace(number, classes[i]);
     (i < object_classes ? of_objects_ : of_world_).push_back(number);
   }

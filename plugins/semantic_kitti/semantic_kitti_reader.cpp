@@ -19,8 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of classes by their numbers, of `semantic-kitti.yaml`; none before the dataset is
-/// complete.
+/// The names of classes by number, from `semantic-kitti.yaml`; none before the dataset is complete.
 struct ClassNames {
   explicit ClassNames(const fs::path& file) {
     if (!fs::exists(file)) return;
@@ -41,7 +40,7 @@ struct ClassNames {
   std::map<std::uint16_t, std::string> names;
 };
 
-/// @throws Error where there is not a label for each point
+/// @throws Error if there is not exactly one label for each point
 LabelledCloud readCloud(const WrittenScene& scene) {
   const fs::path file = scene.file(".label");
   LabelledCloud cloud;
@@ -80,8 +79,7 @@ std::vector<LabelledCloud> cloudsOf(const WrittenScene& scene) {
   return {readCloud(scene)};
 }
 
-/// The camera's image, where it was written, and the objects of which there are points: labels are
-/// of these alone.
+/// The camera's image, if it was written, and the objects that have points: only these have labels.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture;
   if (scene.files.empty()) return picture;
@@ -94,17 +92,17 @@ LabelledPicture readScene(const WrittenScene& scene) {
   for (const auto& [number, object] : cloud.objects) {
     DrawnLabel& label = picture.labels.emplace_back();
     label.caption = object.caption;
-    label.class_names = {std::to_string(classes[number])};  // names are there at the end alone
+    label.class_names = {std::to_string(classes[number])};  // names exist only at the end
   }
   return picture;
 }
 
-/// The labels as the manifest knows them; nothing where classes share a number.
+/// The labels in the form used by the manifest; nothing if classes share a number.
 std::optional<DecodedPicture> labelsPicture(const fs::path& file, std::size_t lidar,
                                             const SemanticKittiClasses& classes) {
   const std::string bytes = readText(file);
   if (bytes.size() % 4 != 0) throw Error("'" + file.string() + "': it ends within a label");
-  constexpr std::uint16_t kNone = 0xFFFF;  // of no class
+  constexpr std::uint16_t kNone = 0xFFFF;  // no class
   DecodedPicture picture;
   picture.name = picture.stored_as = "cloud_" + std::to_string(lidar) + "_labels";
   picture.files = {file};

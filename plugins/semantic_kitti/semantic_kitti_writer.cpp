@@ -27,7 +27,7 @@ std::string twoDigits(std::size_t number) {
   return digits.size() < 2 ? "0" + digits : digits;
 }
 
-/// A text as YAML has it between double quotes.
+/// A text as a double-quoted YAML string.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -37,7 +37,7 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// What is kept of a scene for the files of its sequence.
+/// The data of a scene kept for the files of its sequence.
 struct Frame {
   Stamp stamp{0};
   Pose X_GS = Pose::Identity();
@@ -69,7 +69,7 @@ Frame frameOf(const std::string& text) {
   return frame;
 }
 
-/// Without a minus before zeros.
+/// Rounds a pose's numbers, without negative zeros.
 Pose rounded(Pose pose) {
   constexpr double kStep = 1e-9;
   for (int row = 0; row < 3; ++row) {
@@ -84,9 +84,9 @@ Pose rounded(Pose pose) {
 }  // namespace
 
 /// SemanticKITTI: `sequences/SS/{velodyne/NNNNNN.bin, labels/NNNNNN.label, image_2/NNNNNN.png,
-/// calib.txt, poses.txt, times.txt}` and `semantic-kitti.yaml`, of one lidar; pictures are those of
-/// the first camera. A label has the class's number in its lower 16 bits, the object's in the upper
-/// ones. https://github.com/PRBonn/semantic-kitti-api
+/// calib.txt, poses.txt, times.txt}` and `semantic-kitti.yaml`, for one lidar; pictures are those
+/// of the first camera. A label has the class's number in its lower 16 bits and the object's in the
+/// upper 16. https://github.com/PRBonn/semantic-kitti-api
 class SemanticKittiWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -104,7 +104,7 @@ class SemanticKittiWriter : public LabelWriter {
     positions_ = readCloudPositions(parameters);
     classes_ = SemanticKittiClasses(parameters, dataset);
     camera_ = dataset.cameras.front().model.intrinsics();
-    DatasetInfo of_lidar = dataset;  // its sequences are one a motion, whatever cameras there are
+    DatasetInfo of_lidar = dataset;  // one sequence per motion, whatever cameras there are
     of_lidar.cameras.erase(of_lidar.cameras.begin() + 1, of_lidar.cameras.end());
     sequences_ = Sequences(of_lidar);
     splits_ = dataset.splitFolders();
@@ -157,7 +157,7 @@ class SemanticKittiWriter : public LabelWriter {
                    [&](std::ostream& file) { writeConfig(by_split, records, file); });
   }
 
-  /// The files of the frames of a sequence, numbered without gaps.
+  /// Adds the files of a sequence's frames, numbered without gaps.
   [[nodiscard]] std::vector<Frame> addFrames(std::size_t sequence, const std::string& name,
                                              const SceneRecords& records,
                                              DatasetOutput& output) const {
@@ -175,9 +175,9 @@ class SemanticKittiWriter : public LabelWriter {
     return frames;
   }
 
-  /// Poses are those of the camera in its first frame, as KITTI's odometry has them. A scanner that
-  /// moves against the camera is taken not to: its own poses, which follow from them and `Tr`, are
-  /// right all the same.
+  /// Poses are those of the camera relative to its first frame, as in KITTI's odometry benchmark.
+  /// They assume that the scanner does not move relative to the camera; if it does, its own poses,
+  /// which follow from these and `Tr`, are still right.
   void addSequenceFiles(const std::string& name, const std::vector<Frame>& frames,
                         DatasetOutput& output) const {
     const std::string folder = "sequences/" + name + "/";
@@ -205,7 +205,7 @@ class SemanticKittiWriter : public LabelWriter {
     });
   }
 
-  /// As semantic-kitti-api and what trains on it read it.
+  /// Writes the configuration in the form read by semantic-kitti-api and training code based on it.
   void writeConfig(const std::map<std::string, std::vector<std::size_t>>& by_split,
                    const SceneRecords& records, std::ostream& file) const {
     const std::map<std::uint32_t, std::string>& names = classes_.names();
@@ -267,7 +267,7 @@ class SemanticKittiWriter : public LabelWriter {
     }
   }
 
-  static constexpr const char* kContent = "content";  // of records
+  static constexpr const char* kContent = "content";  // channel of records
 
   std::size_t lidar_ = 0;
   std::string lidar_frame_;

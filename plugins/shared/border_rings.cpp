@@ -16,7 +16,7 @@ constexpr std::size_t kNorth = 3;
 const std::array<cv::Point, 4> kSteps = {cv::Point(1, 0), cv::Point(0, 1), cv::Point(-1, 0),
                                          cv::Point(0, -1)};
 
-// The pixels at both sides of a step, from the corner that it begins at.
+// The pixels on both sides of a step, relative to the corner at which it begins.
 const std::array<cv::Point, 4> kRight = {cv::Point(0, 0), cv::Point(-1, 0), cv::Point(-1, -1),
                                          cv::Point(0, -1)};
 const std::array<cv::Point, 4> kLeft = {cv::Point(0, -1), cv::Point(0, 0), cv::Point(-1, 0),
@@ -28,7 +28,7 @@ bool goes(const BorderStep& step, std::size_t direction) {
   return step.pixel == step.corner + kRight[direction];
 }
 
-/// By the sign of the area (the shoelace formula): parts are gone round clockwise.
+/// Judged by the sign of the area (shoelace formula): rings around parts are clockwise.
 bool isHole(const BorderRing& ring) {
   std::int64_t twice_the_area = 0;
   cv::Point last = ring.back().corner;
@@ -39,8 +39,8 @@ bool isHole(const BorderRing& ring) {
   return twice_the_area < 0;
 }
 
-/// The ring of a hole from the left end of its ceiling's first pixel (topmost, leftmost) on. That
-/// place comes first as a step of its own, at the pixel above the hole.
+/// Makes the ring of a hole begin at the left end of its ceiling's first pixel (topmost, leftmost).
+/// That corner comes first as a step of its own, at the pixel above the hole.
 BorderRing fromCeiling(BorderRing ring) {
   const auto ceiling =
       std::min_element(ring.begin(), ring.end(), [](const BorderStep& a, const BorderStep& b) {
@@ -53,11 +53,11 @@ BorderRing fromCeiling(BorderRing ring) {
   return ring;
 }
 
-/// Follows the edges between the mask's pixels and others, the mask at the right side: clockwise
-/// around parts, counter-clockwise round holes.
+/// Follows the edges between the mask's pixels and others, with the mask on the right: clockwise
+/// around parts, counter-clockwise around holes.
 class BorderTracer {
  public:
-  /// @param mask  with a margin of a pixel that is 0
+  /// @param mask  with a margin of one pixel that is 0
   explicit BorderTracer(const cv::Mat1b& mask)
       : mask_(mask), top_edge_ring_(mask.size(), kNone), top_edge_place_(mask.size(), kNone) {
     for (int y = 1; y < mask_.rows; ++y) {
@@ -72,8 +72,8 @@ class BorderTracer {
   [[nodiscard]] std::vector<BorderRing> parts() const {
     Branches seams;
     for (const std::size_t hole : holes_) {
-      // Straight up from the hole to the border above, which is that of the part or of a hole that
-      // begins higher: seams make no circle.
+      // Goes straight up from the hole to the border above, which belongs to the part or to a hole
+      // that begins higher, so seams form no cycle.
       cv::Point top = rings_[hole].front().pixel;
       while (!isTop(top)) top += kSteps[kNorth];
       seams[{static_cast<std::size_t>(top_edge_ring_(top)),
@@ -121,10 +121,10 @@ class BorderTracer {
   }
 
   cv::Mat1b mask_;
-  cv::Mat1i top_edge_ring_;   // by pixel: the ring that runs along its top
-  cv::Mat1i top_edge_place_;  // and which of the ring's steps does
+  cv::Mat1i top_edge_ring_;   // by pixel: the ring along its top edge
+  cv::Mat1i top_edge_place_;  // by pixel: that ring's step there
   std::vector<BorderRing> rings_;
-  std::vector<std::size_t> parts_;  // which of them are outer ones
+  std::vector<std::size_t> parts_;  // indices of outer rings
   std::vector<std::size_t> holes_;
 };
 
@@ -148,14 +148,14 @@ BorderRing walk(const std::vector<BorderRing>& rings, const Branches& branches,
   struct Round {
     Branch ring;
     std::size_t steps = 0;          // taken
-    std::size_t branches_left = 0;  // of the step that it stands at
+    std::size_t branches_left = 0;  // at the current step
   };
   const auto branchesAt = [&](std::size_t ring, std::size_t index) {
     const auto found = branches.find({ring, index});
     return found == branches.end() ? nullptr : &found->second;
   };
   BorderRing result;
-  std::vector<Round> rounds;  // a stack of our own: masks of noise nest deeply
+  std::vector<Round> rounds;  // an explicit stack, as noisy masks nest deeply
   const auto stepTo = [&](Round& round, std::size_t index) {
     const auto* leaving = branchesAt(round.ring.ring, index);
     result.push_back(rings[round.ring.ring][index]);

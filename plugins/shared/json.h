@@ -17,32 +17,32 @@ namespace synthetic_dataset {
 /// Keys are written in the order in which they were added.
 using Json = nlohmann::basic_json<OrderedMap>;
 
-/// JSON that is not what it should be, or more than can be read.
+/// JSON that is not as expected, or is nested too deep to be read.
 class UnfitJson : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a text says; the only way from a text to JSON, as a text may be anybody's.
-/// @throws UnfitJson where it nests too deep, nlohmann's exception where it is none
+/// Parses a text. Use nothing else to parse JSON, as texts may come from anybody.
+/// @throws UnfitJson if it is nested too deep, nlohmann's exception if it is not JSON
 template <class AnyJson>
 [[nodiscard]] AnyJson parsedJson(const std::string& text) {
   if (base::isDeepJson(text)) throw UnfitJson(base::kNestedTooDeep);
   return AnyJson::parse(text);
 }
 
-/// The same, but what cannot be read is `discarded`.
+/// The same, but returns a `discarded` value if the text cannot be parsed.
 [[nodiscard]] inline nlohmann::json jsonIfAny(const std::string& text) {
   if (base::isDeepJson(text)) return {nlohmann::json::value_t::discarded};
   return nlohmann::json::parse(text, nullptr, false);
 }
 
-/// On one line. Bytes of a name that are not UTF-8 become U+FFFD, as JSON has to be UTF-8.
+/// Writes JSON on one line. Bytes that are not UTF-8 become U+FFFD, as JSON has to be UTF-8.
 [[nodiscard]] inline std::string jsonText(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// On several lines, for people to read too.
+/// Writes JSON on several lines, so that people can read it too.
 [[nodiscard]] inline std::string indentedJson(const Json& value) {
   constexpr int kIndent = 2;
   return value.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -52,7 +52,7 @@ template <class AnyJson>
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
-/// [x, y, width, height] as COCO has it, in pixels of an image that spans 0 to its width.
+/// [x, y, width, height] as in COCO, in pixels of an image that spans 0 to its width.
 [[nodiscard]] inline Json cocoBox(const Box& box) {
   return {box.left + 0.5, box.top + 0.5, box.width(), box.height()};
 }

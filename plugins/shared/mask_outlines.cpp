@@ -13,7 +13,7 @@
 namespace synthetic_dataset::masks {
 namespace {
 
-/// Without points that are passed straight or stand twice in a row.
+/// Removes repeated points and points on straight lines.
 Ring corners(Ring ring) {
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
@@ -37,8 +37,8 @@ struct Bridge {
   }
 };
 
-/// The place in `parts` of what each pixel of the mask belongs to; 0 elsewhere.
-/// @param offset  where the mask lies in the picture that the parts were found in
+/// The index in `parts` of the part to which each pixel of the mask belongs; 0 elsewhere.
+/// @param offset  the mask's position in the picture in which the parts were found
 cv::Mat1i partMap(const cv::Mat& mask, const std::vector<BorderRing>& parts,
                   const cv::Point& offset) {
   cv::Mat1i map;
@@ -71,7 +71,7 @@ cv::Mat_<cv::Point> nearestPixels(const cv::Mat& mask) {
   return nearest;
 }
 
-/// Bridges where the regions that are nearest to two parts meet; the shortest come first.
+/// Bridges where the regions nearest to two parts meet; the shortest come first.
 std::vector<Bridge> possibleBridges(const cv::Mat& mask, const std::vector<BorderRing>& parts,
                                     const cv::Point& offset) {
   const cv::Mat1i part_map = partMap(mask, parts, offset);
@@ -118,7 +118,7 @@ Branches branchesOf(const std::vector<Bridge>& bridges, const std::vector<Border
   for (std::size_t i = 0; i < bridges.size(); ++i) {
     for (const std::size_t part : bridges[i].parts) bridges_of_part[part].push_back(i);
   }
-  // A pixel that is the nearest one to a pixel off the mask is on a border.
+  // The mask's nearest pixel to a pixel off the mask is always on a border.
   const auto placeOf = [&](const Bridge& bridge, std::size_t end) {
     const BorderRing& ring = parts[bridge.parts[end]];
     const auto found = std::find_if(ring.begin(), ring.end(), [&](const BorderStep& step) {

@@ -7,7 +7,7 @@ std::vector<std::int64_t> columnRuns(const Mask& mask) {
   const std::int64_t height = mask.imageSize().height;
   if (mask.empty()) return {width * height};
   const cv::Rect extent = mask.bounds();
-  const cv::Mat columns = mask.pixels().t();  // a row of it is a column's part in the extent
+  const cv::Mat columns = mask.pixels().t();  // transposed: its rows are the extent's columns
   std::vector<std::int64_t> runs;
   std::int64_t run_start = 0;
   bool in_mask = false;
@@ -31,7 +31,7 @@ std::vector<std::int64_t> columnRuns(const Mask& mask) {
 
 std::string cocoCounts(const std::vector<std::int64_t>& runs) {
   // rleToString: each number in groups of 5 bits, lowest first, two's complement; bit 5 says that
-  // more follow. From the fourth on, it is the difference from the one before the last.
+  // more follow. From the fourth on, it is the difference from the second to last number.
   constexpr std::int64_t kGroup = 0x1f;
   constexpr std::int64_t kSign = 0x10;
   constexpr std::int64_t kMore = 0x20;

@@ -8,10 +8,10 @@
 
 namespace synthetic_dataset {
 
-/// A map that keeps the order in which keys were added, for JSON objects of few members: a key is
-/// searched from the first on. It stands in for nlohmann::ordered_map, which releases before 3.9
-/// (Ubuntu 20.04) lack, and has what `nlohmann::basic_json` asks of an object that is built, read
-/// and written; members cannot be erased by their keys.
+/// A map that keeps the order in which keys were added, for JSON objects with few members: keys are
+/// found by linear search. It replaces nlohmann::ordered_map, which releases before 3.9 (Ubuntu
+/// 20.04) lack, and has what `nlohmann::basic_json` requires of an object type to build, read and
+/// write it; members cannot be erased by key.
 template <class Key, class Mapped, class Compare, class Allocator>
 class OrderedMap : public std::list<std::pair<const Key, Mapped>, Allocator> {
   using Members = std::list<std::pair<const Key, Mapped>, Allocator>;

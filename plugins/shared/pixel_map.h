@@ -6,8 +6,8 @@
 
 namespace synthetic_dataset {
 
-/// A picture whose pixels are made of another's, one by one.
-/// @param function  from a pixel of the one to a pixel of the other
+/// Makes a picture by applying a function to each pixel of another.
+/// @param function  from a pixel of `picture` to a pixel of the result
 template <class To, class From, class Function>
 [[nodiscard]] cv::Mat_<To> mapped(const cv::Mat_<From>& picture, Function function) {
   cv::Mat_<To> result(picture.size());

@@ -5,17 +5,17 @@
 
 namespace synthetic_dataset {
 
-/// Where fractions of an image begin, as formats without a rule of their own are read.
+/// The origin of coordinates given as fractions of an image, for formats that do not define it.
 struct PixelOrigin {
-  /// From the first pixel's centre to there [px]: 0 for the centre itself, as nn_data_collection
-  /// has it; half a pixel for the image's edge, from which Darknet and Ultralytics count.
+  /// Distance from the origin to the first pixel's centre [px]: 0 for the centre itself, as in
+  /// nn_data_collection; half a pixel for the image's edge, as in Darknet and Ultralytics.
   double offset = 0.0;
 
   [[nodiscard]] Box of(const Box& box) const {
     return {box.left + offset, box.top + offset, box.right + offset, box.bottom + offset};
   }
 
-  /// A box that is counted from there, in OpenCV's coordinates again.
+  /// Converts a box relative to the origin back to OpenCV's coordinates.
   [[nodiscard]] Box back(const Box& box) const {
     return {box.left - offset, box.top - offset, box.right - offset, box.bottom - offset};
   }

@@ -8,8 +8,8 @@
 
 namespace synthetic_dataset {
 
-/// A file's or folder's name for formats whose readers look for a class or an object by its name,
-/// spaces and all: the name itself wherever a file can have it, otherwise as safeFileName.
+/// A file's or folder's name for formats whose readers look for a class or an object by its exact
+/// name, including spaces: the name itself if a file can have it, otherwise as safeFileName.
 [[nodiscard]] inline std::string plainFileName(const std::string& name) {
   constexpr std::size_t kLongest = 80;  // [byte]; several such names fit into one path
   const bool has_its_place = !name.empty() && name.size() <= kLongest && name.front() != '.' &&

@@ -7,16 +7,16 @@
 
 namespace synthetic_dataset {
 
-/// What is visible of one of an object's parts.
+/// The visible portion of one of an object's parts.
 struct SeenPart {
   std::string name;
   Mask mask;
 
-  /// Around its pixels, from the first one's edge to the last one's.
+  /// The box around its pixels, from the first one's edge to the last one's.
   [[nodiscard]] Box box() const;
 };
 
-/// The parts of an object of which a pixel is visible. Needs `visible_masks` and `part_map`.
+/// The parts of an object with at least one visible pixel. Needs `visible_masks` and `part_map`.
 /// @param info  the object's
 [[nodiscard]] std::vector<SeenPart> seenParts(const Scene& scene, const SceneObject& object,
                                               const ObjectInfo& info);

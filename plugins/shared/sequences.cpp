@@ -10,7 +10,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// Lines with the frame before each.
+/// The lines, each preceded by the frame number.
 std::string withFrame(std::int64_t frame, char separator, const std::string& labels) {
   std::string lines;
   for (std::size_t begin = 0; begin < labels.size();) {

@@ -30,7 +30,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture;
   for (const fs::path& image : scene.files) {
     if (image.parent_path().string().find("/JPEGImages") == std::string::npos) continue;
-    // <object>/JPEGImages/<scene>.png, the scene's name with its camera's folder or without.
+    // <object>/JPEGImages/<scene>.png, with or without the camera's folder in the scene's name.
     const std::string path = image.string();
     const std::size_t at = path.rfind("/JPEGImages/");
     const fs::path object = path.substr(0, at);

@@ -17,10 +17,10 @@ bool isControl(char character) {
   return code < 0x20U || code == 0x7FU;
 }
 
-/// An object's folder: its name, or where that cannot be a path one that can. A name with slashes
-/// is folders within one another, as it always was.
+/// An object's folder: its name or, if that cannot be a path, a safe one. A name with slashes
+/// yields nested folders, as it always has.
 std::string stvNetFolder(const std::string& name) {
-  constexpr std::size_t kLongest = 200;  // [byte] of a part, of 255 that there may be
+  constexpr std::size_t kLongest = 200;  // [byte] of a path component, of 255 allowed
   bool is_path = std::none_of(name.begin(), name.end(), isControl);
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('/', begin), name.size());
@@ -33,13 +33,13 @@ std::string stvNetFolder(const std::string& name) {
 
 }  // namespace
 
-/// stvNet: for each object a folder with `JPEGImages/N.png` (PNG in spite of its name),
-/// `mask/N.png` and `labels/N.txt`: the id, then each keypoint's place as fractions of the image,
-/// counted from the first pixel's centre or from the image's edge.
+/// stvNet: for each object a folder with `JPEGImages/N.png` (PNG despite the name), `mask/N.png`
+/// and `labels/N.txt`: the id, then each keypoint's position as fractions of the image, counted
+/// from the first pixel's centre or from the image's edge.
 class StvNetWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {
-    parameters.ignore("tf_timeout");  // of nn_data_collection
+    parameters.ignore("tf_timeout");  // a parameter of nn_data_collection
     origin_ = readPixelOrigin(parameters);
   }
 
@@ -70,7 +70,8 @@ class StvNetWriter : public LabelWriter {
     }
   }
 
-  /// An object's line, keypoints not cut to the image; nothing when one has no place on it.
+  /// An object's line, with keypoints not limited to the image; nothing if a keypoint does not
+  /// project onto the image plane.
   [[nodiscard]] std::optional<std::string> label(const SceneObject& object,
                                                  const CameraModel& camera) const {
     std::string text = object.id + " ";
@@ -83,7 +84,7 @@ class StvNetWriter : public LabelWriter {
     return text + "\n";
   }
 
-  static constexpr std::size_t kKeypoints = 9;  ///< that its data.py takes from a label
+  static constexpr std::size_t kKeypoints = 9;  ///< number that stvNet's data.py takes from a label
 
   PixelOrigin origin_;
 };

@@ -30,7 +30,7 @@ struct Rectangle {
   [[nodiscard]] double area() const { return along_u.length() * along_v.length(); }
 };
 
-/// The hull of the corners of all pixels, in whole numbers.
+/// The convex hull of the corners of all pixels, in integer coordinates.
 Polygon hullOf(const Mask& mask) {
   std::vector<cv::Point> corners;
   const cv::Mat& part = mask.pixels();
@@ -93,7 +93,7 @@ Rectangle enclosing(const Polygon& hull, const Eigen::Vector2d& u) {
   return rectangle;
 }
 
-/// Which part of the line `origin` + t `direction` lies in the image, of the range given.
+/// The part of the given range of t for which `origin` + t `direction` is in the image.
 Range partInImage(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction, Range range,
                   const Eigen::Vector2d& image) {
   for (int axis = 0; axis < 2; ++axis) {
@@ -109,7 +109,7 @@ Range partInImage(const Eigen::Vector2d& origin, const Eigen::Vector2d& directio
   return range;
 }
 
-/// The rectangle made shorter along u until its corners lie in the image.
+/// Shortens the rectangle along u until its corners are in the image.
 Rectangle cutAlongU(Rectangle rectangle, const Eigen::Vector2d& image) {
   for (const double v : {rectangle.along_v.low, rectangle.along_v.high}) {
     rectangle.along_u = partInImage(v * rectangle.v(), rectangle.u, rectangle.along_u, image);
@@ -137,7 +137,7 @@ struct Fit {
 };
 
 Fit fitOf(const Rectangle& rectangle, const Polygon& hull) {
-  if (rectangle.area() <= 0.0) return {};  // nothing of it is left
+  if (rectangle.area() <= 0.0) return {};  // nothing is left of it
   const Eigen::Vector2d u = rectangle.u;
   const Eigen::Vector2d v = rectangle.v();
   Polygon common = clipped(hull, u, rectangle.along_u.high);
@@ -151,7 +151,7 @@ Fit fitOf(const Rectangle& rectangle, const Polygon& hull) {
 std::array<Eigen::Vector2d, 4> cornersOf(const Rectangle& rectangle, const Eigen::Vector2d& image) {
   const auto corner = [&](double u, double v) -> Eigen::Vector2d {
     const Eigen::Vector2d place = u * rectangle.u + v * rectangle.v();
-    return place.cwiseMax(0.0).cwiseMin(image);  // rounding alone leads out
+    return place.cwiseMax(0.0).cwiseMin(image);  // only rounding leads outside
   };
   const Range& u = rectangle.along_u;
   const Range& v = rectangle.along_v;
@@ -166,7 +166,7 @@ std::optional<std::array<Eigen::Vector2d, 4>> orientedBox(const Mask& mask) {
   if (hull.empty()) return std::nullopt;
   const Eigen::Vector2d image(mask.imageSize().width, mask.imageSize().height);
 
-  // Along the image's edges: in the image, as the mask is.
+  // The rectangle along the image's edges is within the image, since the mask is.
   Fit whole = fitOf(enclosing(hull, Eigen::Vector2d::UnitX()), hull);
   Fit cut;
   for (std::size_t i = 0; i < hull.size(); ++i) {

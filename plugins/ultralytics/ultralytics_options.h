@@ -8,16 +8,16 @@ namespace synthetic_dataset {
 
 inline constexpr int kFractionDecimals = 8;
 
-/// How far an outline stays away from its pixels' edges [px]: not to be in the next pixel, whatever
-/// a float makes of it.
+/// How far an outline stays away from its pixels' edges [px], so that it does not enter the next
+/// pixel even after rounding to float.
 inline constexpr double kOutlineMargin = 0.01;
 
 /// The settings of an Ultralytics writer, without the keypoints'.
 struct UltralyticsOptions {
   std::string task;  ///< detect, segment, pose or obb
   std::string image_format = "png";
-  BoxChoice box = BoxChoice::kVisible;  ///< of detect and pose
-  bool is_whole = false;                ///< of segment and obb: the mask is the silhouette
+  BoxChoice box = BoxChoice::kVisible;  ///< for detect and pose
+  bool is_whole = false;                ///< for segment and obb: the mask is the silhouette
 
   [[nodiscard]] bool hasBoxes() const { return task == "detect" || task == "pose"; }
 };

@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What data.yaml says that a label's line does not.
+/// Information in data.yaml that a label's line lacks.
 struct DatasetYaml {
-  std::map<std::string, std::string> names;  ///< of classes, by their numbers
+  std::map<std::string, std::string> names;  ///< of classes, by number
   bool has_keypoints = false;
 };
 
-/// The lines that the writer makes: `names:` with `  0: "robot"` below it, `kpt_shape: [9, 3]`.
-/// There is no such file before a dataset is complete.
+/// The lines that the writer makes: `names:` with `  0: "robot"` below it, `kpt_shape: [9, 3]`. The
+/// file does not exist before a dataset is complete.
 DatasetYaml readYaml(const fs::path& file) {
   DatasetYaml yaml;
   if (!fs::exists(file)) {
@@ -34,7 +34,7 @@ DatasetYaml readYaml(const fs::path& file) {
     if (line.rfind("kpt_shape:", 0) == 0) yaml.has_keypoints = true;
     const std::size_t colon = line.find(": \"");
     if (!is_name || colon == std::string::npos) continue;
-    // Between its quotes, YAML reads what JSON does.
+    // A quoted YAML string can be read as JSON.
     const auto name = jsonIfAny(line.substr(colon + 2));
     if (!name.is_string()) throw Error("'" + file.string() + "': found the line '" + line + "'");
     yaml.names[line.substr(2, colon - 2)] = name.get<std::string>();
@@ -42,7 +42,7 @@ DatasetYaml readYaml(const fs::path& file) {
   return yaml;
 }
 
-/// From fractions to places [px].
+/// Converts fractions to pixel coordinates.
 class Fractions {
  public:
   Fractions(const std::vector<std::string>& words, const fs::path& file, const cv::Size& image)
@@ -66,7 +66,7 @@ class Fractions {
   cv::Size image_;
 };
 
-// Ultralytics: a class's number and, as fractions of the image, a box; a box and keypoints, where
+// Ultralytics: a class's number and, as fractions of the image, a box; a box and keypoints if
 // data.yaml says so; or a polygon.
 LabelledPicture readScene(const WrittenScene& scene) {
   const fs::path file = scene.file(".txt");

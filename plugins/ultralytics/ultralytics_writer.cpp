@@ -20,8 +20,8 @@
 namespace synthetic_dataset {
 namespace {
 
-/// A place on the image as fractions of its size, as a label's columns have it. The loader throws
-/// an image away that has a label with a number outside of 0 .. 1.
+/// A point as fractions of the image's size, as columns of a label. The loader discards an image
+/// that has a label with a number outside 0 .. 1.
 /// @param place  [px], where the image spans (0, 0) to (width, height)
 std::string fractions(const Eigen::Vector2d& place, const CameraModel& camera) {
   const auto fraction = [](double length, int size) {
@@ -31,7 +31,7 @@ std::string fractions(const Eigen::Vector2d& place, const CameraModel& camera) {
   return fraction(place.x(), camera.width()) + fraction(place.y(), camera.height());
 }
 
-/// From coordinates in which a pixel's centre is whole to those in which its edge is.
+/// From coordinates in which pixel centres are integers to those in which pixel edges are.
 const Eigen::Vector2d kToEdges(0.5, 0.5);
 
 std::string boxColumns(const Box& box, const CameraModel& camera) {
@@ -39,7 +39,7 @@ std::string boxColumns(const Box& box, const CameraModel& camera) {
   return fractions(centre + kToEdges, camera) + fractions({box.width(), box.height()}, camera);
 }
 
-/// x, y and how it is seen: 2 visible, 1 hidden, 0 (with x and y) not on the image.
+/// x, y and the visibility: 2 visible, 1 hidden, 0 (also for x and y) not in the image.
 std::string keypointText(const Keypoint& keypoint, const CameraModel& camera) {
   if (!keypoint.pixel || keypoint.state() == KeypointState::kOutside) return " 0 0 0";
   return fractions(*keypoint.pixel + kToEdges, camera) +
@@ -54,11 +54,11 @@ std::string orientedBoxColumns(const Mask& mask, const CameraModel& camera) {
   return columns;
 }
 
-/// A mask as one polygon through its outermost pixels: loaders fill it with its rim (cv::fillPoly)
-/// once its points are whole numbers, so this gives the mask again. Ultralytics cuts decimals off,
-/// supervision rounds; a quarter of a pixel from its corner both come to the same pixel.
-/// Ultralytics also takes the box around the points for the object's, hence the polygon touches
-/// each side of that box on a line to the edge of one of its pixels and back.
+/// A mask as one polygon through its outermost pixels: loaders convert its points to integers and
+/// fill it including its rim (cv::fillPoly), which reproduces the mask. Ultralytics truncates,
+/// supervision rounds; at a quarter of a pixel from its corner both yield the same pixel.
+/// Ultralytics also uses the box around the points as the object's, hence the polygon has a spike
+/// on each side that reaches the edge of an outermost pixel.
 std::string ringColumns(const Mask& mask, const CameraModel& camera) {
   const Eigen::Vector2d kInside(0.25, 0.25);
   struct Side {
@@ -79,7 +79,7 @@ std::string ringColumns(const Mask& mask, const CameraModel& camera) {
     columns += fractions(centre + kInside, camera);
     for (Side& side : sides) {
       if (side.outwards.dot(centre) != side.farthest) continue;
-      side.farthest = std::numeric_limits<double>::infinity();  // once is enough
+      side.farthest = std::numeric_limits<double>::infinity();  // one pixel per side is enough
       const double to_edge =
           side.outwards.sum() > 0.0 ? 0.75 - kOutlineMargin : 0.25 - kOutlineMargin;
       columns += fractions(centre + kInside + to_edge * side.outwards, camera);
@@ -91,9 +91,10 @@ std::string ringColumns(const Mask& mask, const CameraModel& camera) {
 
 }  // namespace
 
-/// Ultralytics' YOLO: `images/<split>/N.png`, `labels/<split>/N.txt` with a line an object: the
-/// class's number and what the task wants, as fractions of the image; and `data.yaml`.
-/// https://docs.ultralytics.com/datasets/, ultralytics/data/utils.py (verify_image_label)
+/// Ultralytics' YOLO: `images/<split>/N.png`, `labels/<split>/N.txt` with one line per object: the
+/// class's number and the columns that the task requires, as fractions of the image; and
+/// `data.yaml`. https://docs.ultralytics.com/datasets/, ultralytics/data/utils.py
+/// (verify_image_label)
 class UltralyticsYoloWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
@@ -124,7 +125,7 @@ class UltralyticsYoloWriter : public LabelWriter {
       return number >= 0.0 && number < static_cast<double>(given.size()) &&
              number == std::floor(number);
     };
-    const auto isPartner = [&](double number) {  // of its partner
+    const auto isPartner = [&](double number) {  // is its partner's partner
       return isIndex(number) &&
              given[static_cast<std::size_t>(given[static_cast<std::size_t>(number)])] == number;
     };
@@ -165,7 +166,7 @@ class UltralyticsYoloWriter : public LabelWriter {
     output.addRecord(kSplits, split);
   }
 
-  /// What follows the class in an object's line; nothing where it has no such label.
+  /// The columns after the class in an object's line; empty if it has no such label.
   [[nodiscard]] std::string columnsOf(const SceneObject& object, const CameraModel& camera) const {
     const Mask& mask = options_.is_whole ? object.silhouette() : object.visible_mask();
     if (options_.task == "obb") return orientedBoxColumns(mask, camera);
@@ -208,11 +209,11 @@ class UltralyticsYoloWriter : public LabelWriter {
     });
   }
 
-  static constexpr const char* kSplits = "splits";  // of records
+  static constexpr const char* kSplits = "splits";  // channel of records
 
   UltralyticsOptions options_;
   UltralyticsDataset yaml_;                           ///< without the splits
-  std::vector<std::vector<std::size_t>> columns_of_;  ///< of each object's keypoints
+  std::vector<std::vector<std::size_t>> columns_of_;  ///< column of each object's keypoints
 };
 
 }  // namespace synthetic_dataset

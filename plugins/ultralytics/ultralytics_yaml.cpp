@@ -7,7 +7,7 @@
 namespace synthetic_dataset {
 namespace {
 
-/// A text between double quotes, where YAML understands what JSON does.
+/// A double-quoted text; YAML reads JSON strings.
 std::string quoted(const std::string& text) { return jsonText(text); }
 
 template <class List, class TextOf>
@@ -17,7 +17,7 @@ std::string listOf(const List& list, TextOf textOf) {
   return text + "]";
 }
 
-/// The loader wants `train` and `val`; where one has no images, it gets another's.
+/// The loader requires `train` and `val`; one without images refers to another split's.
 void writeSplits(std::ostream& stream, const std::vector<std::string>& splits) {
   const auto has = [&](const std::string& split) {
     return std::find(splits.begin(), splits.end(), split) != splits.end();

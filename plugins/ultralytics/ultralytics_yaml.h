@@ -8,25 +8,25 @@
 
 namespace synthetic_dataset {
 
-/// What Ultralytics' loader reads of a dataset, in `data.yaml`.
+/// The content of `data.yaml`, which Ultralytics' loader reads.
 /// https://docs.ultralytics.com/datasets/, ultralytics/data/utils.py (check_det_dataset)
 struct UltralyticsDataset {
   std::vector<std::string> splits;                  ///< that have images, train first
-  std::vector<std::string> names;                   ///< of classes, by their numbers from 0
+  std::vector<std::string> names;                   ///< of classes, by number from 0
   std::size_t keypoint_count = 0;                   ///< of each object; 0 unless the task is pose
-  std::vector<std::size_t> flip_idx;                ///< as many
-  std::vector<std::vector<std::string>> kpt_names;  ///< for each class as many
+  std::vector<std::size_t> flip_idx;                ///< keypoint_count entries
+  std::vector<std::vector<std::string>> kpt_names;  ///< for each class, keypoint_count names
 };
 
-/// Where keypoints stand in a label's line: all classes have as many columns.
+/// The keypoint columns in a label's line: all classes have the same number of columns.
 struct KeypointColumns {
   std::vector<std::vector<std::string>> names;  ///< of each class, "unused_<column>" at the end
   std::vector<std::vector<std::size_t>>
       of_objects;  ///< the column of each of an object's keypoints
 };
 
-/// A class's columns are all names that its objects' keypoints have, in the order in which they
-/// come up: a name has the same column in all of its objects.
+/// A class's columns are all names of its objects' keypoints, in order of first occurrence, so that
+/// a name has the same column in all objects of the class.
 [[nodiscard]] KeypointColumns keypointColumns(const DatasetInfo& dataset, std::size_t class_count);
 
 void writeUltralyticsYaml(std::ostream& stream, const UltralyticsDataset& dataset);

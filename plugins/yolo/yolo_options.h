@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset {
 
-inline constexpr int kYoloDecimals = 5;  ///< of a fraction of the image
+inline constexpr int kYoloDecimals = 5;  ///< of coordinates, which are fractions of the image
 
 /// The settings of a YOLO writer, without the list's path.
 struct YoloOptions {
@@ -23,18 +23,18 @@ struct YoloOptions {
           parameters.optionalChoice("class", {"text", "number"}, "text") == "number"};
 }
 
-/// What a label begins with.
-/// @param labelled  SceneObject or what was measured of one
+/// The class at the beginning of a label.
+/// @param labelled  a SceneObject or the measurements of one
 template <class Labelled>
 [[nodiscard]] std::string yoloClass(const Labelled& labelled, const YoloOptions& options) {
   return options.has_numbers ? std::to_string(labelled.class_id) : labelled.class_text;
 }
 
-inline constexpr const char* kYoloNames = "obj.names";  ///< of classes, line by line from 0
+inline constexpr const char* kYoloNames = "obj.names";  ///< lists the classes, line by line from 0
 
-/// An object's box as the file has it, counted from the origin that is set; nothing where no area
-/// of it is in the image. The image is taken to begin there, as in nn_data_collection, whose
-/// fractions are u / width: with `centre` half a pixel off the first pixel's edge.
+/// An object's box as written to the file, relative to the configured origin; nothing if no area of
+/// it is in the image. The image is assumed to begin at the origin, as in nn_data_collection, whose
+/// fractions are u / width: with `centre` this is half a pixel from the first pixel's edge.
 /// @param loose_box, width, height  [px]
 [[nodiscard]] inline std::optional<Box> yoloBox(const Box& loose_box, const YoloOptions& options,
                                                 double width, double height) {

@@ -11,8 +11,8 @@
 namespace synthetic_dataset::formats::yolo {
 namespace {
 
-/// The name of a class whose number a label has, where the list is there: it is written when a
-/// dataset is complete. Otherwise what the label has.
+/// The name of the class whose number a label has, if the list exists: it is written when a dataset
+/// is complete. Otherwise the label's own text.
 std::string nameOf(const std::string& text, const std::vector<std::string>& names) {
   const bool is_number =
       text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 6;
@@ -20,7 +20,7 @@ std::string nameOf(const std::string& text, const std::vector<std::string>& name
   return number < names.size() ? names[number] : text;
 }
 
-// Darknet: `class cx cy w h` as fractions of the image, a line an object. The class may hold
+// Darknet: `class cx cy w h` as fractions of the image, one line per object. The class may contain
 // spaces.
 LabelledPicture readScene(const WrittenScene& scene) {
   LabelledPicture picture{readPicture(scene.file(".png"), cv::IMREAD_COLOR), {}};

@@ -16,22 +16,22 @@ namespace {
 
 constexpr const char* kData = "obj.data";
 
-/// Whether Darknet takes it for a class: its data.c reads `fscanf(file, "%d %f %f %f %f", ...)`,
-/// and no label from the first line on that does not fit.
+/// Whether Darknet accepts the text as a class: its data.c reads `fscanf(file, "%d %f %f %f %f",
+/// ...)`, and ignores all labels from the first line that does not match.
 bool isNumber(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
 }  // namespace
 
-/// Darknet's YOLO: `N.png` and, with a line an object, `N.txt`: class, then centre and size of the
-/// loose box as fractions of the image. The main list names all images; `obj.data` names the lists
-/// of each split and that of the classes, `obj.names`.
+/// Darknet's YOLO: `N.png` and, with one line per object, `N.txt`: class, then centre and size of
+/// the loose box as fractions of the image. The main list names all images; `obj.data` names the
+/// list of each split and that of the classes, `obj.names`.
 /// https://github.com/AlexeyAB/darknet#how-to-train-to-detect-your-custom-objects
 class YoloWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& dataset) override {
-    parameters.ignore("tf_timeout");  // of nn_data_collection
+    parameters.ignore("tf_timeout");  // a parameter of nn_data_collection
     main_list_ = parameters.requiredFile(kMainList);
     options_ = readYoloOptions(parameters);
     output_folder_ = parameters.outputFolder();
@@ -50,7 +50,7 @@ class YoloWriter : public LabelWriter {
     }
   }
 
-  /// Whether a path is that of a scene's image or labels, or of a folder that they lie in.
+  /// Whether a path is that of a scene's image or labels, or of a folder that contains them.
   [[nodiscard]] bool isOfAScene(const std::string& path, const DatasetInfo& dataset) const {
     namespace fs = std::filesystem;
     const fs::path below = fs::path(path).lexically_normal().lexically_relative(output_folder_);
@@ -63,7 +63,7 @@ class YoloWriter : public LabelWriter {
            std::all_of(stem.begin(), stem.end(), [](unsigned char c) { return std::isdigit(c); });
   }
 
-  /// Whether a path is that of another file which doFinalize makes.
+  /// Whether a path is that of another file written by doFinalize.
   [[nodiscard]] bool isOfTheDataset(const std::string& path) const {
     if (path == output_folder_ + kData || path == output_folder_ + kYoloNames) return true;
     return !has_one_list_ && std::any_of(splits_.begin(), splits_.end(),
@@ -121,7 +121,7 @@ class YoloWriter : public LabelWriter {
     return output_folder_ + split + ".txt";
   }
 
-  /// An object's line; nothing for one of which no area is in view.
+  /// An object's line; empty if no area of it is in view.
   [[nodiscard]] std::string label(const SceneObject& object, const CameraModel& camera) const {
     if (!object.inView(camera) || object.dropped) return "";
     const double width = camera.width();
@@ -138,14 +138,14 @@ class YoloWriter : public LabelWriter {
   }
 
   static constexpr const char* kMainList = "main_list";
-  static constexpr const char* kImages = "images";  // of records
+  static constexpr const char* kImages = "images";  // channel of records
 
   FileParameter main_list_;
   YoloOptions options_;
   std::string output_folder_;
-  std::vector<std::string> names_;  ///< of classes, by their numbers
+  std::vector<std::string> names_;  ///< of classes, by number
   std::vector<std::string> splits_;
-  bool has_one_list_ = true;  ///< all images are of one split
+  bool has_one_list_ = true;  ///< all images belong to one split
 };
 
 }  // namespace synthetic_dataset

@@ -1,4 +1,4 @@
-"""Reads datasets that synthetic_dataset has made: docs/python.md.
+"""Reads datasets made by synthetic_dataset; see docs/python.md.
 
     from synthetic_dataset import Dataset
 """

@@ -1,4 +1,4 @@
-"""A dataset that synthetic_dataset has made."""
+"""A dataset made by synthetic_dataset."""
 import collections
 import json
 import os
@@ -22,11 +22,11 @@ class Dataset:
             for each in scene.objects:
                 print(scene.index, each.name, each.visible_box)
 
-    It reads the manifest scene by scene, so large datasets need little memory.
+    The manifest is read scene by scene, so large datasets need little memory.
     """
 
     def __init__(self, folder):
-        """@throws DatasetError where there is no dataset, or its manifest cannot be read"""
+        """@throws DatasetError if there is no dataset, or its manifest cannot be read"""
         self.manifest = Manifest(folder)
         self.folder = self.manifest.folder
         self._scenes = [index for index, in self.manifest.rows(
@@ -44,12 +44,12 @@ class Dataset:
 
     @property
     def is_complete(self):
-        """Whether the run came to its end."""
+        """Whether the run has finished."""
         return self.manifest.run.get('state') == 'complete'
 
     @property
     def splits(self):
-        """The names of the splits; [''] where there are none."""
+        """The names of the splits; [''] if there are none."""
         order = {'train': 0, 'val': 1, 'test': 2}
         names = [name for name, in self.manifest.rows(
             f'SELECT DISTINCT split FROM scene WHERE {IS_THERE}')]
@@ -57,7 +57,7 @@ class Dataset:
 
     @property
     def settings(self):
-        """The settings that were used, by their full names: {'camera/far': 100.0, ...}"""
+        """The settings that were used, by full name: {'camera/far': 100.0, ...}"""
         return {name: json.loads(value) for name, value in self.manifest.rows(
             'SELECT name, value FROM setting ORDER BY name')}
 
@@ -65,7 +65,7 @@ class Dataset:
         return len(self._scenes)
 
     def __getitem__(self, position):
-        """The scene at a position; the same as its index where the dataset is complete."""
+        """The scene at a position, which equals its index if the dataset is complete."""
         if isinstance(position, slice):
             return [self.scene(index) for index in self._scenes[position]]
         return self.scene(self._scenes[position])
@@ -74,7 +74,7 @@ class Dataset:
         return (self.scene(index) for index in self._scenes)
 
     def scene(self, index):
-        """The scene of an index in the manifest."""
+        """The scene with an index of the manifest."""
         found = self.manifest.columns('scene', f'"index" = ? AND {IS_THERE}', (int(index),))
         if not len(found['index']):
             raise DatasetError(f"'{self.folder}': has no scene {index}; found {len(self)} scenes"
@@ -90,15 +90,15 @@ class Dataset:
             f'SELECT "index" FROM scene WHERE split = ? AND {IS_THERE} ORDER BY "index"', (name,))]
 
     def table(self, name):
-        """A table of the manifest as {column: numpy array}; what is null is NaN among numbers."""
+        """A table of the manifest as {column: numpy array}; null becomes NaN among numbers."""
         return self.manifest.columns(name)
 
     def frame(self, name):
-        """A table of the manifest as a DataFrame of pandas, which has to be installed."""
-        import pandas  # which nothing else here needs
+        """A table of the manifest as a pandas DataFrame; pandas has to be installed."""
+        import pandas  # nothing else in this module needs it
         return pandas.DataFrame(self.table(name))
 
-    # What scenes ask for.
+    # Queries for Scene.
 
     def objects_of(self, scene):
         found = self.manifest.columns('scene_object', 'scene = ?', (scene.index,))
@@ -122,7 +122,7 @@ class Dataset:
                 self._rows_of('object_cover', 'object, unmeasured, covered', scene)}
 
     def _rows_of(self, table, columns, scene):
-        """Of a table that manifests before version 6 do not have."""
+        """A scene's rows of a table that manifests before version 6 do not have."""
         if table not in self.manifest.tables():
             return []
         return self.manifest.rows(f'SELECT {columns} FROM {table} WHERE scene = ?', (scene.index,))

@@ -1,4 +1,4 @@
-"""A dataset's manifest as columns of numpy; docs/manifest.md describes its tables."""
+"""A dataset's manifest as numpy columns; docs/manifest.md describes its tables."""
 import os
 import pathlib
 import sqlite3
@@ -11,11 +11,11 @@ OLDEST_VERSION = 4
 
 
 class DatasetError(Exception):
-    """A dataset that cannot be read, or that lacks what was asked for."""
+    """A dataset cannot be read, or lacks what was asked for."""
 
 
 def _connected(file):
-    """Also where nobody can write: there SQLite opens no manifest that might change."""
+    """Opens a manifest, even where nothing can be written: there SQLite needs an immutable file."""
     name = urllib.parse.quote(str(file))
     try:
         database = sqlite3.connect(f'file:{name}?mode=ro', uri=True)
@@ -41,7 +41,7 @@ def _file_in(folder):
 
 
 def _array(values):
-    """Numbers with None become floating point with NaN; what is no number stays as it is."""
+    """An array; numbers with None become floating point with NaN, other values stay as they are."""
     if all(value is None or isinstance(value, (int, float)) for value in values):
         if any(value is None for value in values):
             return np.array([np.nan if value is None else value for value in values], float)
@@ -52,7 +52,7 @@ def _array(values):
 class Manifest:
     """A manifest. Each thread and each process that uses it opens the file for itself.
 
-    So it may be used by the workers of loaders, whether they are forked or get it pickled.
+    The workers of data loaders may therefore use it, whether they are forked or receive it pickled.
     """
 
     def __init__(self, folder):
@@ -97,7 +97,7 @@ class Manifest:
     def columns(self, table, where='', values=()):
         """A table as {column: array}, in the order of its key.
 
-        @param where  a condition in SQL that chooses rows, with a ? for each of `values`
+        @param where  an SQL condition that selects rows, with a ? for each of `values`
         """
         if table not in self.tables():
             raise DatasetError(f"'{self.file}': has no table '{table}'; it has "

@@ -1,4 +1,4 @@
-"""Which of a scene's files is its image, its depth, its masks: a row for each format."""
+"""Finds a scene's image, depth and masks among its files, with patterns for each format."""
 import json
 import re
 
@@ -7,7 +7,7 @@ from PIL import Image
 
 from synthetic_dataset.manifest import DatasetError
 
-# By type of writer, relative to its folder. What is not listed is found by its looks.
+# By type of writer: a pattern for paths relative to its folder. Other writers: any image file.
 IMAGES = {
     'Bop': r'/rgb/', 'Cityscapes': r'^leftImg8bit/', 'Coco': r'^images/',
     'ImageFolder': r'/[^/.]+\.(png|jpg)$', 'Kitti': r'image_2/', 'PascalVoc': r'^JPEGImages/',
@@ -35,13 +35,13 @@ def is_image_name(path):
 
 
 def kind_of(writer_type):
-    """`Coco` of `synthetic_dataset/Coco`; nothing of other packages' writers."""
+    """`Coco` for `synthetic_dataset/Coco`; empty for writers of other packages."""
     package, _, kind = writer_type.partition('/')
     return kind if package == 'synthetic_dataset' else ''
 
 
 def matching(files, patterns):
-    """Of (writer, path relative to its folder, file), those that a table of patterns names."""
+    """Yields the (writer, path relative to its folder, file) that match a table of patterns."""
     for writer, path, file in files:
         pattern = patterns.get(kind_of(writer.type))
         if pattern is not None and re.search(pattern, path):
@@ -49,9 +49,9 @@ def matching(files, patterns):
 
 
 def image_file(files):
-    """The file with a scene's image, rather one without loss; None where there is none."""
+    """The file with a scene's image, preferably a lossless one; None if there is none."""
     known = [file for _, path, file in matching(files, IMAGES) if is_image_name(path)]
-    # Formats that have one picture of a scene, and writers of other packages.
+    # From formats with one picture per scene, and writers of other packages.
     other = [file for writer, path, file in files
              if kind_of(writer.type) not in IMAGES and is_image_name(path)]
     found = sorted(known, key=lambda file: file.suffix != '.png') or other
@@ -59,14 +59,14 @@ def image_file(files):
 
 
 def instances(files):
-    """The instance map; None where no format has one."""
+    """The instance map; None if no format has one."""
     for _, _, file in matching(files, INSTANCES):
         return read(file)
     return None
 
 
 def depth(files):
-    """z in the optical frame [m], 0 where nothing is; None where no format has it."""
+    """z in the optical frame [m], 0 where there is nothing; None if no format has depth."""
     for writer, _, file in matching(files, DEPTHS):
         pixels = read(file).astype(np.float32)
         if kind_of(writer.type) == 'Bop':

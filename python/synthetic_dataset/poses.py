@@ -1,4 +1,4 @@
-"""Poses as 4 x 4 matrices: `X_AB` is the pose of B in A, p_A = X_AB @ p_B."""
+"""Poses as 4 x 4 matrices: X_AB is the pose of B in A, p_A = X_AB @ p_B."""
 import numpy as np
 
 
@@ -30,5 +30,5 @@ def inverse(X_AB):
 
 
 def of_rows(columns):
-    """The poses in the columns of a table of the manifest."""
+    """The poses in the columns of a manifest table."""
     return matrices(*(columns[name] for name in ('x', 'y', 'z', 'qx', 'qy', 'qz', 'qw')))

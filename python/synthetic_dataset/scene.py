@@ -9,12 +9,12 @@ from synthetic_dataset.manifest import DatasetError
 
 
 class SceneObject:
-    """What was measured of one object in one scene; None where no format asked for it.
+    """The measures of one object in one scene; None if no format asked for a measure.
 
     An object that is not in the scene (`is_there` is False) has no pose, boxes or pixels.
 
-    Boxes are [left, top, right, bottom] in pixels, as in the manifest: a pixel's centre has whole
-    coordinates, so a mask of the pixel (0, 0) alone has the box [-0.5, -0.5, 0.5, 0.5].
+    Boxes are [left, top, right, bottom] in pixels, as in the manifest: pixel centres have whole
+    coordinates, so a mask of only the pixel (0, 0) has the box [-0.5, -0.5, 0.5, 0.5].
     """
 
     def __init__(self, scene, row, description):
@@ -24,7 +24,7 @@ class SceneObject:
         self.X_GO = poses.of_rows(row) if self.is_there else None  # in the global frame, 4 x 4
         self.distance = _number(row['distance'])  # from the camera's centre to its frame [m]
         self.in_view = bool(row['in_view'])
-        self.dropped = bool(row['dropped'])  # too little of it is seen for a label
+        self.dropped = bool(row['dropped'])  # too little of it is visible for a label
         self.loose_box = _box(row, 'loose')
         self.silhouette_box = _box(row, 'silhouette')
         self.visible_box = _box(row, 'visible')
@@ -35,52 +35,52 @@ class SceneObject:
 
     @property
     def X_CO(self):
-        """Its pose in the camera's optical frame (x right, y down, z ahead), 4 x 4, or None."""
+        """Its pose in the camera's optical frame (x right, y down, z forward), 4 x 4, or None."""
         return poses.inverse(self._scene.X_GC) @ self.X_GO if self.is_there else None
 
     @property
     def alignment(self):
-        """How well its outline meets the edges of a recorded picture, 0 to 1; None where nothing is
-        known of it."""
+        """How well its outline matches the edges of a recorded picture, 0 to 1; None if this was
+        not measured."""
         return self._scene.alignments.get(self.index)
 
     @property
     def unmeasured(self):
-        """The share of its pixels in a recorded picture of which nobody knows whether something
-        hides them, 0 to 1; None in drawn ones, and of an object without pixels."""
+        """The share of its pixels in a recorded picture for which it is unknown whether something
+        hides them, 0 to 1; None in drawn pictures, and for an object without pixels."""
         return self._scene.covers.get(self.index, (None, None))[0]
 
     @property
     def covered(self):
-        """The share of its pixels in a recorded picture that something hides which the world does
-        not have, 0 to 1, or None."""
+        """The share of its pixels in a recorded picture that are hidden by something that is not in
+        the world, 0 to 1, or None."""
         return self._scene.covers.get(self.index, (None, None))[1]
 
     @property
     def is_labelled(self):
-        """Whether most formats have a label of it: at least one pixel is visible, enough is."""
+        """Whether most formats label it: at least one pixel is visible, and enough of it."""
         return bool(self.visible_pixels) and not self.dropped
 
     @property
     def mask(self):
-        """The pixels in which the camera sees it: bool, height x width."""
+        """The pixels in which it is visible: bool, height x width."""
         if self._scene.shapes is None:
             return self._scene.instances == self.index + 1
         return self._mask_of(self._shape.visible_mask, 'masks')
 
     @property
     def silhouette(self):
-        """The same as if nothing stood in front of it."""
+        """Its mask as if nothing were in front of it."""
         return self._mask_of(self._shape.silhouette, 'silhouettes')
 
     @property
     def cuboid(self):
-        """The lowest and the highest x, y, z of the box around it, in its frame [m]: 2 x 3."""
+        """The minimum and maximum x, y, z of its bounding box in its frame [m]: 2 x 3."""
         return self._shape.cuboid
 
     @property
     def keypoints(self):
-        """Where its keypoints are in the image [px]: N x 2, NaN where they cannot be projected."""
+        """Its keypoints in the image [px]: N x 2, NaN where they cannot be projected."""
         return self._shape.keypoints
 
     @property
@@ -90,8 +90,8 @@ class SceneObject:
 
     @property
     def keypoint_states(self):
-        """Of each keypoint: 'visible', 'hidden by another', 'hidden by itself' or 'outside'; None
-        where no format asked for it."""
+        """The keypoints' states: 'visible', 'hidden by another', 'hidden by itself' or 'outside';
+        None if no format asked for it."""
         return self._shape.keypoint_states
 
     @property
@@ -112,7 +112,7 @@ class SceneObject:
 
 
 class Scene:
-    """What is known of one instant through one camera. Files are read when they are asked for."""
+    """One instant seen by one camera. Files are read on demand."""
 
     def __init__(self, dataset, row):
         self._dataset = dataset
@@ -123,47 +123,47 @@ class Scene:
         self.stamp_ns = int(row['stamp_ns'])
         self.camera = row['camera']
         self.width, self.height = int(row['width']), int(row['height'])
-        self.split = row['split']  # 'train', 'val', 'test', or '' where there are no splits
+        self.split = row['split']  # 'train', 'val', 'test', or '' if there are no splits
         self.seed = int(row['seed'])
         self.X_GC = poses.of_rows(row)  # the pose of the optical frame in the global frame, 4 x 4
 
     @property
     def objects(self):
-        """All objects, also those out of view, in the order of `robot_list`."""
+        """All objects, including those out of view, in the order of `robot_list`."""
         if self._objects is None:
             self._objects = self._dataset.objects_of(self)
         return self._objects
 
     @property
     def alignment(self):
-        """How well all labels meet the edges of a recorded picture, 0 to 1, or None."""
+        """How well all labels match the edges of a recorded picture, 0 to 1, or None."""
         return self._dataset.alignment_of(self)
 
     @property
     def alignments(self):
-        """The same of each object that has one, by its index."""
+        """The alignment of each object that has one, by the object's index."""
         return self._dataset.alignments_of(self)
 
     @property
     def unmeasured(self):
-        """The share of all objects' pixels in a recorded picture of which nobody knows whether
+        """The share of all objects' pixels in a recorded picture for which it is unknown whether
         something hides them, 0 to 1, or None."""
         return self._dataset.cover_of(self)[0]
 
     @property
     def covered(self):
-        """The share of all objects' pixels in a recorded picture that something hides which the
-        world does not have, 0 to 1, or None."""
+        """The share of all objects' pixels in a recorded picture that are hidden by something that
+        is not in the world, 0 to 1, or None."""
         return self._dataset.cover_of(self)[1]
 
     @property
     def covers(self):
-        """Both shares of each object that has pixels, by its index."""
+        """Both shares for each object that has pixels, by the object's index."""
         return self._dataset.covers_of(self)
 
     @property
     def draws(self):
-        """What was drawn at random for this scene: {'lights/sun/intensity': 0.7, ...}"""
+        """The values drawn at random for this scene: {'lights/sun/intensity': 0.7, ...}"""
         return {name: json.loads(value) for name, value in self._dataset.manifest.rows(
             'SELECT name, value FROM draw WHERE scene = ? ORDER BY name', (self.index,))}
 
@@ -174,7 +174,7 @@ class Scene:
 
     @property
     def image_file(self):
-        """The path of its image, in whichever format there is one, rather as PNG than as JPEG."""
+        """The path of its image, from any format that has one, preferably as PNG."""
         found = pictures.image_file(self.files)
         if found is None:
             raise self._lacking('an image', 'Coco, ImageFolder and most others')
@@ -187,7 +187,7 @@ class Scene:
 
     @property
     def depth(self):
-        """z in the optical frame [m], 0 where nothing is: 32 bit, height x width."""
+        """z in the optical frame [m], 0 where there is nothing: 32 bit, height x width."""
         found = pictures.depth(self.files)
         if found is None:
             raise self._lacking('depth', 'ImageFolder with `depth: true`, RosBag and Bop')
@@ -195,7 +195,7 @@ class Scene:
 
     @property
     def K(self):
-        """The camera's matrix, 3 x 3 [px]; a pixel's centre has whole coordinates."""
+        """The camera matrix, 3 x 3 [px]; pixel centres have whole coordinates."""
         found = truth.camera_matrix(self._dataset.manifest, self.index)
         if found is None:
             raise DatasetError("scenes' cameras are in manifests from version "
@@ -204,14 +204,14 @@ class Scene:
 
     @property
     def shapes(self):
-        """What objects read their masks and keypoints from; None of old manifests."""
+        """Shapes by object index, with masks and keypoints; None for old manifests."""
         if self._shapes == ():
             self._shapes = truth.shapes_of(self._dataset.manifest, self.index)
         return self._shapes
 
     @property
     def instances(self):
-        """Of each pixel the object that it shows: its index + 1, or 0. 16 bit, height x width."""
+        """Per pixel, the index + 1 of the object that it shows, or 0: 16 bit, height x width."""
         if self.shapes is not None:
             found = np.zeros((self.height, self.width), np.uint16)
             for each in self.objects:

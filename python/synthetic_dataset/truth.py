@@ -1,11 +1,11 @@
-"""What a manifest from version 6 on knows of the shapes of objects and of cameras."""
+"""Shapes of objects and camera matrices, which manifests have from version 6 on."""
 import numpy as np
 
 FIRST_VERSION = 6
 
 
 def mask_of_bytes(content, height, width):
-    """A mask as the manifest has it (docs/manifest.md): bool, height x width."""
+    """Decodes a mask of the manifest (docs/manifest.md): bool, height x width."""
     numbers = []
     number, shift = 0, 0
     for byte in content:
@@ -29,7 +29,7 @@ class Shape:
         self.cuboid = np.array([[row[f'{end}_{axis}'] for axis in 'xyz'] for end in ('low', 'high')],
                                float)
         self.visible_mask, self.silhouette = (
-            row[name] if isinstance(row[name], bytes) else None  # NaN where nobody asked for it
+            row[name] if isinstance(row[name], bytes) else None  # NaN if no format asked for it
             for name in ('visible_mask', 'silhouette'))
         self.keypoints_O = np.array([each[:3] for each in keypoints], float).reshape(-1, 3)
         self.keypoints = np.array([each[3:5] for each in keypoints], float).reshape(-1, 2)
@@ -37,7 +37,7 @@ class Shape:
 
 
 def shapes_of(manifest, scene_index):
-    """Shapes by the object's index; None of datasets whose manifest does not have them."""
+    """The shapes in a scene by object index; None if the manifest does not have them."""
     if int(manifest.run['format_version']) < FIRST_VERSION:
         return None
     keypoints = {}
@@ -52,7 +52,7 @@ def shapes_of(manifest, scene_index):
 
 
 def camera_matrix(manifest, scene_index):
-    """K of a scene, 3 x 3 [px]; a pixel's centre has whole coordinates. None as above."""
+    """K of a scene, 3 x 3 [px], for pixel centres at whole coordinates; None for old manifests."""
     if int(manifest.run['format_version']) < FIRST_VERSION:
         return None
     (fx, fy, cx, cy), = manifest.rows(

@@ -1,4 +1,4 @@
-"""The occupancy map of the example's hall, as map_server has it: white is free, black is not."""
+"""The occupancy map of the example's hall, in map_server's format: white is free, black is not."""
 
 import math
 import os
@@ -28,7 +28,7 @@ class Footprint(NamedTuple):
         return abs(along) <= self.length / 2 + margin and abs(across) <= self.width / 2 + margin
 
 
-# What worlds/example.sdf and models/hall have standing on the floor.
+# The things that stand on the floor in worlds/example.sdf and models/hall.
 STANDING: List[Footprint] = [
     Footprint(5.1, 0.0, 0.2, 8.4), Footprint(-5.1, 0.0, 0.2, 8.4),  # walls
     Footprint(0.0, 4.1, 10.0, 0.2), Footprint(0.0, -4.1, 10.0, 0.2),

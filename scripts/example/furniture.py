@@ -1,6 +1,6 @@
-"""The meshes of what stands in the hall and of what falls at the start.
+"""The meshes of the things that stand in the hall, and of those that fall at the start.
 
-The origin of what stands is in the middle of its foot, that of what falls in its middle.
+Things that stand have their origin in the middle of the foot, things that fall in their middle.
 """
 
 from typing import Tuple
@@ -57,7 +57,7 @@ TOTE = {
 
 
 def carton_box(x: float, y: float, z: float) -> Shape:
-    """A cardboard box, centred; sides and lid from their halves of the texture."""
+    """A cardboard box, centred; its sides and its lid each use their half of the texture."""
     shape = []
     for polygon in box(x, y, z, 0.006):
         upright = abs(polygon[0].normal[2]) > 0.5

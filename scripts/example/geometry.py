@@ -53,7 +53,7 @@ def from_columns(x: Vector, y: Vector, z: Vector) -> Matrix:
 
 
 def roll_pitch_yaw(roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> Matrix:
-    """About the fixed axes x, then y, then z, as SDF, URDF and tf have it."""
+    """Rotates about the fixed axes x, then y, then z, as in SDF, URDF and tf."""
     cr, sr = math.cos(roll), math.sin(roll)
     cp, sp = math.cos(pitch), math.sin(pitch)
     cy, sy = math.cos(yaw), math.sin(yaw)

@@ -96,7 +96,7 @@ def _add_door(mesh: MeshFile) -> None:
 
 
 def _add_windows(mesh: MeshFile) -> None:
-    """Panes in the walls at +x and +y; bright, as if the sky stood behind them."""
+    """Panes in the walls at +x and +y; bright, as if the sky were behind them."""
     bottom, top = 2.85, 3.85
     for k in range(4):
         x = -2.6 + 2.1 * k
@@ -119,7 +119,7 @@ def _add_window(mesh: MeshFile, origin: Vector, along: Vector, height: float) ->
 
 
 def structure() -> MeshFile:
-    """Pillars, beams and lamps: what casts shadows."""
+    """Pillars, beams and lamps: the parts that cast shadows."""
     mesh = MeshFile(MATERIALS)
     for x, y in PILLARS:
         column = moved(box(0.32, 0.32, HEIGHT, 0.02), x, y, 0.5 * HEIGHT)

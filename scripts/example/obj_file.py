@@ -13,7 +13,7 @@ class Material(NamedTuple):
     diffuse: Colour = (1.0, 1.0, 1.0)  # times the texture's colour
     roughness: float = 0.6             # 0 mirror .. 1 chalk
     metalness: float = 0.0
-    specular: float = 0.5              # 0.5: 4 % of the light head-on, as most plastics and paints
+    specular: float = 0.5              # 0.5: 4 % reflected head-on, as by most plastics and paints
     emissive: Colour = (0.0, 0.0, 0.0)
     texture: Optional[str] = None      # file beside the mesh
 
@@ -80,7 +80,7 @@ class _Table:
 
 
 def _material_lines(name: str, material: Material) -> str:
-    # Ns is Blinn-Phong's exponent of the same lobe: 2 / alpha^2 - 2 with alpha = roughness^2
+    # Ns is the Blinn-Phong exponent for the same lobe: 2 / alpha^2 - 2 with alpha = roughness^2
     # (Walter et al. 2007). Pr and Pm are the common extension for roughness and metalness.
     exponent = max(2.0 / material.roughness ** 4 - 2.0, 0.0)
     lines = [f"newmtl {name}",

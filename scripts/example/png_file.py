@@ -8,7 +8,7 @@ Pixel = Tuple[int, int, int]
 
 
 class Picture:
-    """Red, green, blue of 0..255; the first row is on top."""
+    """Red, green and blue from 0 to 255; the first row is the top one."""
 
     def __init__(self, width: int, height: int, colour: Pixel = (0, 0, 0)):
         self.width = width
@@ -22,13 +22,13 @@ class Picture:
         self.pixels[place[1] * self.width + place[0]] = colour
 
     def fill(self, left: int, top: int, right: int, bottom: int, colour: Pixel) -> None:
-        """A rectangle without its right and bottom border."""
+        """Fills a rectangle, excluding its right and bottom border."""
         for y in range(top, bottom):
             start = y * self.width
             self.pixels[start + left:start + right] = [colour] * (right - left)
 
     def write(self, path: str) -> None:
-        """With a palette where 256 colours are enough."""
+        """Writes the picture, with a palette if 256 colours are enough."""
         colours = sorted(set(self.pixels))
         if len(colours) <= 256:
             numbers = {colour: index for index, colour in enumerate(colours)}

@@ -1,4 +1,4 @@
-"""The example's bag: TF as robots publish it, with nested frames and rates of their own."""
+"""The example's bag: TF as robots publish it, with nested frames at different rates."""
 
 from typing import List, NamedTuple, Sequence, Tuple
 
@@ -16,7 +16,7 @@ NANOSECONDS = 10 ** 9
 
 
 class Publisher(NamedTuple):
-    """Sends transforms together: (parent, child, motion) each."""
+    """Sends several transforms together, each a (parent, child, motion)."""
 
     rate: float        # [Hz]
     first: float       # [s] after START
@@ -28,7 +28,7 @@ def _publishers() -> List[Publisher]:
     drone = Drone()
     result = [
         Publisher(5.0, 0.0, 0.004, [("map", "camera/mast", camera_mast)]),
-        # The drone comes late: the first scenes that can be made are those after its first pose.
+        # The drone starts late: scenes can only be made after its first pose.
         Publisher(30.0, 0.4, 0.006, [("map", "drone_1/base_link", drone.base_link)]),
     ]
     for k, name in enumerate(("rover_1", "rover_2")):
@@ -62,14 +62,14 @@ def _transform(parent: str, child: str, pose: Pose, stamp: genpy.Time) -> Transf
     message.header.frame_id = parent
     message.child_frame_id = child
     t, r = message.transform.translation, message.transform.rotation
-    # Whole micrometres and nine digits are far below what is seen, and compress well.
+    # Whole micrometres and nine decimals are far finer than what is visible, and compress well.
     t.x, t.y, t.z = (round(value, 6) + 0.0 for value in pose.translation)
     r.x, r.y, r.z, r.w = (round(value, 9) + 0.0 for value in pose.quaternion())
     return message
 
 
 def _messages() -> List[Tuple[genpy.Time, str, TFMessage]]:
-    """In the order of recording."""
+    """All messages, in the order of recording."""
     fixed = [_transform(*each, _time(0.0)) for each in _fixed_transforms()]
     result = [(_time(0.0), "/tf_static", TFMessage(fixed))]
     for publisher in _publishers():

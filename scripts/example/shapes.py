@@ -1,4 +1,4 @@
-"""Solids as lists of convex polygons, counter-clockwise from outside, with normals of their own."""
+"""Solids as lists of convex polygons, counter-clockwise from outside, with a normal per corner."""
 
 import math
 from typing import Callable, List, NamedTuple, Sequence, Tuple
@@ -10,7 +10,7 @@ from example.geometry import (Pose, Vector, add, cross, dot, length, rotated, sc
 class Corner(NamedTuple):
     position: Vector
     normal: Vector
-    coordinates: Tuple[float, float] = (0.0, 0.0)  # of the texture; (0, 0) is its lower left
+    coordinates: Tuple[float, float] = (0.0, 0.0)  # in the texture; (0, 0) is its lower left corner
 
 
 Polygon = List[Corner]
@@ -28,13 +28,13 @@ def moved(shape: Shape, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Shape
 
 
 def inside_out(shape: Shape) -> Shape:
-    """What is seen from within."""
+    """The shape as it is seen from inside."""
     return [[c._replace(normal=scaled(c.normal, -1.0)) for c in reversed(polygon)]
             for polygon in shape]
 
 
 def face_normal(polygon: Polygon) -> Vector:
-    """Newell's method: right for any planar polygon, and not normalised: its length is 2 areas."""
+    """Newell's method, for any planar polygon; not normalised: its length is twice the area."""
     total = (0.0, 0.0, 0.0)
     for a, b in zip(polygon, polygon[1:] + polygon[:1]):
         total = add(total, cross(a.position, b.position))
@@ -73,7 +73,7 @@ def _facing(polygon: Polygon, direction: Vector) -> Polygon:
 
 
 def rectangle(origin: Vector, along: Vector, up: Vector, repeat=(1.0, 1.0)) -> Shape:
-    """One side only, seen against along x up; the texture repeats so often."""
+    """One-sided, facing along x up; the texture is repeated `repeat` times."""
     normal = unit(cross(along, up))
     u, v = repeat
     return [[Corner(origin, normal, (0.0, 0.0)),
@@ -83,7 +83,7 @@ def rectangle(origin: Vector, along: Vector, up: Vector, repeat=(1.0, 1.0)) -> S
 
 
 def box(x: float, y: float, z: float, bevel: float = 0.0) -> Shape:
-    """Centred. Bevels are shaded round: each of their corners has its face's normal."""
+    """A centred box. Bevels are shaded as if round: each corner has the normal of its face."""
     half = (0.5 * x, 0.5 * y, 0.5 * z)
 
     def corner(axis: int, signs: Sequence[int]) -> Corner:
@@ -119,7 +119,7 @@ def box(x: float, y: float, z: float, bevel: float = 0.0) -> Shape:
 
 
 def lathe(profile: Sequence[Tuple[float, float]], segments: int, crease: float = 0.7) -> Shape:
-    """Turns a profile of (radius, z), given upwards along the outside, about z.
+    """Revolves a profile of (radius, z), given upwards along the outside, about z.
 
     Edges sharper than `crease` [rad] stay sharp. A profile that ends where it starts is a ring.
     """
@@ -164,7 +164,7 @@ def lathe(profile: Sequence[Tuple[float, float]], segments: int, crease: float =
 
 
 def cylinder(radius: float, height: float, segments: int, bevel: float = 0.0) -> Shape:
-    """Centred, about z. A bevel is shaded as a facet."""
+    """A centred cylinder about z. A bevel is shaded as a facet."""
     h = 0.5 * height
     if bevel <= 0.0:
         return lathe([(0.0, -h), (radius, -h), (radius, h), (0.0, h)], segments)

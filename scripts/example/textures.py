@@ -1,4 +1,4 @@
-"""The example's textures, drawn pixel by pixel from a seeded noise: the same bytes each time."""
+"""The example's textures, drawn pixel by pixel with seeded noise: the same bytes each time."""
 
 import math
 import random
@@ -59,7 +59,7 @@ def _shade_all(picture: Picture, factor_at: Callable[[int, int], float]) -> Pict
 
 
 def concrete_floor(size: int = 512) -> Picture:
-    """Four slabs with joints; 2 m wide as the hall uses it."""
+    """Four slabs with joints; 2 m wide in the hall."""
     clouds, grain = Noise(11, size, 4, 4), Noise(12, size, 96, 1)
     slab_levels = (0.0, -7.0, -4.0, 5.0)
     slab = size // 2
@@ -129,7 +129,7 @@ def crate_face(size: int = 128) -> Picture:
     def colour_at(x: int, y: int) -> Pixel:
         part = part_at(x, y)
         if part == "boards":
-            # What stands before the boards shades them.
+            # Frame and brace, in front of the boards, cast a shadow on them.
             shaded = part_at(max(x - 3, 0), max(y - 3, 0)) != "boards"
             return _shaded(picture[x, y], 0.5 if shaded else 0.76)
         on_upright = part == "frame" and min(x, size - 1 - x) < min(y, size - 1 - y)
@@ -174,11 +174,11 @@ def hazard_stripes(size: int = 64) -> Picture:
     return _painted(size, size, colour_at)
 
 
-ROVER_TOP_ROWS = 200  # of 256; the sides' strip lies below
+ROVER_TOP_ROWS = 200  # of 256; the strip for the sides is below
 
 
 def rover_hull(size: int = 256) -> Picture:
-    """The rover's hull, nose to the right. Above: the deck; below: a side."""
+    """The rover's hull, nose to the right. Upper part: the deck; lower part: a side."""
     orange, white, seam, dark = (226, 84, 22), (238, 234, 226), (128, 44, 12), (44, 44, 48)
     picture = Picture(size, size, orange)
     for top in (34, 150):
@@ -200,7 +200,7 @@ def rover_hull(size: int = 256) -> Picture:
 
 
 def drone_shell(width: int = 128, height: int = 64) -> Picture:
-    """Round the drone's shell (u) from its belly to its top (v). The nose is at u = 0."""
+    """The drone's shell: u runs around it from the nose, v from its belly to its top."""
     blue, white, dark = (18, 112, 214), (236, 238, 240), (40, 44, 52)
     picture = Picture(width, height, blue)
     picture.fill(0, height - 22, width, height, dark)

@@ -1,4 +1,4 @@
-"""Where everything is in the example's recording, as smooth functions of time [s]. M is the map."""
+"""The poses in the example's recording, as smooth functions of time [s]. M is the map."""
 
 import bisect
 import math
@@ -10,14 +10,14 @@ from example.vehicles import WHEEL_RADIUS
 DURATION = 8.0  # [s]
 
 AXLE_HEIGHT = 0.13
-TRACK = 0.50       # between the middles of a left and a right wheel [m]
+TRACK = 0.50       # between the centres of a left and a right wheel [m]
 HALF_BASE = 0.23   # from base_link to an axle [m]
 WHEELS = {"wheel_front_left": (HALF_BASE, 0.5 * TRACK),
           "wheel_front_right": (HALF_BASE, -0.5 * TRACK),
           "wheel_rear_left": (-HALF_BASE, 0.5 * TRACK),
           "wheel_rear_right": (-HALF_BASE, -0.5 * TRACK)}
 
-# t, x, y on the floor. Each keeps clear of all that stands, and of the other.
+# t, x, y on the floor. Each rover keeps clear of everything that stands there, and of the other.
 ROVER_WAYPOINTS = {
     "rover_1": [(0.0, 2.75, -2.30), (1.2, 1.50, -1.95), (2.5, 0.05, -1.78), (3.3, -0.85, -1.75),
                 (4.2, -1.85, -1.45), (5.0, -2.30, -0.75), (5.9, -2.45, 0.25), (6.8, -2.30, 1.20),
@@ -35,7 +35,7 @@ DRONE_WAYPOINTS = [(0.0, 3.20, 1.20, 2.00, -2.80), (0.8, 2.75, 1.30, 1.95, -2.80
 CAMERA_POSITION = (-4.0, -2.9, 1.35)
 CAMERA_YAW = math.radians(33.0)
 CAMERA_TILT = math.radians(9.0)  # downwards
-CAMERA_STARTS, CAMERA_STOPS = 3.4, 7.6  # it stands still before and after [s]
+CAMERA_STARTS, CAMERA_STOPS = 3.4, 7.6  # [s]; the camera stands still before and after
 CAMERA_DOLLY = (0.22, -0.30, 0.10)  # [m]
 CAMERA_PAN = math.radians(5.0)
 
@@ -90,7 +90,7 @@ def _splines(waypoints) -> List[CubicSpline]:
 
 
 class Rover:
-    """Drives along its waypoints, nose ahead."""
+    """Drives forwards along its waypoints."""
 
     def __init__(self, name: str, drift_phase: float):
         self._x, self._y = _splines(ROVER_WAYPOINTS[name])
@@ -104,9 +104,9 @@ class Rover:
         return Pose((self._x(t), self._y(t), 0.0), roll_pitch_yaw(yaw=yaw))
 
     def odom(self, t: float) -> Pose:
-        """X_MO: where the rover started, and what odometry has got wrong since.
+        """X_MO: the rover's first pose, plus the error of its odometry since then.
 
-        It drifts, and the localisation puts it right now and then.
+        The odometry drifts, and the localisation corrects it now and then.
         """
         corrected = 0.6 * smooth_step((t - 2.6) / 0.4) + 0.8 * smooth_step((t - 5.7) / 0.4)
         error = t / DURATION - 0.5 * corrected
@@ -120,7 +120,7 @@ class Rover:
         return self.odom(t).inverse() @ self.base_footprint(t)
 
     def wheel(self, wheel: str, t: float) -> Pose:
-        """In base_link; the angle is that of a wheel that does not slip."""
+        """The pose of a wheel in base_link; its angle is that of rolling without slip."""
         x, y = WHEELS[wheel]
         distance = self._distance[0 if y > 0.0 else 1]
         step = DURATION / (len(distance) - 1)
@@ -129,7 +129,7 @@ class Rover:
         return Pose((x, y, 0.0), roll_pitch_yaw(pitch=along / WHEEL_RADIUS))
 
     def _wheel_distances(self, steps: int = 1600) -> Tuple[List[float], List[float]]:
-        """How far the left and the right wheels have rolled, by the midpoint rule [m]."""
+        """Distances that the left and the right wheels have rolled [m], by the midpoint rule."""
         left, right = [0.0], [0.0]
         dt = DURATION / steps
         for k in range(steps):
@@ -143,7 +143,7 @@ class Rover:
 
 
 class Drone:
-    """Flies along its waypoints and leans as its accelerations ask of it."""
+    """Flies along its waypoints and tilts as its accelerations require."""
 
     def __init__(self):
         self._x, self._y, self._z, self._yaw = _splines(DRONE_WAYPOINTS)
@@ -158,7 +158,7 @@ class Drone:
 
 
 def camera_mast(t: float) -> Pose:
-    """x forward, z up. Stands, then glides and turns."""
+    """The mast's pose: x forward, z up. It stands, then glides and turns."""
     share = smooth_step((t - CAMERA_STARTS) / (CAMERA_STOPS - CAMERA_STARTS))
     position = tuple(p + share * d for p, d in zip(CAMERA_POSITION, CAMERA_DOLLY))
     return Pose(position, roll_pitch_yaw(yaw=CAMERA_YAW + share * CAMERA_PAN))

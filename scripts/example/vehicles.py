@@ -1,4 +1,4 @@
-"""The meshes of the objects that move: x forward, y left, z up."""
+"""The meshes of the moving objects: x forward, y left, z up."""
 
 import math
 
@@ -8,7 +8,7 @@ from example.shapes import (box, cylinder, extrusion, lathe, mapped, moved, plac
                             tiled, tube)
 from example.textures import ROVER_TOP_ROWS
 
-# z of what is drawn out becomes y, y becomes z: for outlines seen from the side.
+# Turns extrusions: z becomes y, y becomes z, for outlines that are given as seen from the side.
 SIDEWAYS = from_columns((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0))
 AXLE = roll_pitch_yaw(roll=-0.5 * math.pi)  # z becomes y
 FORWARD = roll_pitch_yaw(pitch=0.5 * math.pi)  # z becomes x
@@ -45,7 +45,7 @@ def _hull_mapping(position: Vector, normal: Vector):
 
 
 def rover_body() -> MeshFile:
-    """All of the rover above its wheels, in base_link: the axles' height, between the wheels."""
+    """The rover without its wheels, in base_link: between the wheels, at the axles' height."""
     mesh = MeshFile(ROVER_MATERIALS)
     outline = [(-0.33, 0.15), (0.30, 0.15), (0.345, 0.185), (0.315, 0.225), (0.20, 0.262),
                (-0.29, 0.262), (-0.345, 0.22)]
@@ -95,7 +95,7 @@ def _add_mast(mesh: MeshFile) -> None:
 
 
 def wheel() -> MeshFile:
-    """About y, its outer side towards +y."""
+    """A wheel about y, its outer side towards +y."""
     mesh = MeshFile(WHEEL_MATERIALS)
     tyre = lathe([(0.085, -0.042), (0.112, -0.045), (0.123, -0.036), (0.126, 0.0), (0.123, 0.036),
                   (0.112, 0.045), (0.085, 0.042), (0.080, 0.02), (0.080, -0.02),
@@ -198,7 +198,7 @@ def _add_skids(mesh: MeshFile) -> None:
 
 
 def write_all(models_folder: str) -> None:
-    """Parts that the models' SDF files give a material of their own are files of their own."""
+    """Parts to which the models' SDF files give a material of their own are separate files."""
     rover_folder, drone_folder = models_folder + "/rover/meshes", models_folder + "/drone/meshes"
     body, rolling, flying = rover_body(), wheel(), drone()
     body.only("hull").write(rover_folder, "hull")

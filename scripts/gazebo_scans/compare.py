@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Scans worlds of the reference data, and holds each ray against Gazebo 11's (test/reference/gazebo_scans, see record.py).
+"""Scans worlds of the reference data, and compares each ray with Gazebo 11's (test/reference/gazebo_scans, see record.py).
 
 usage: compare.py REFERENCE_FOLDER OUT [NAME...]
 
-A ray agrees within 2 cm. The rays of `gpu_ray` are read from pictures of 2048 columns: they agree also with what lies within
-half a pixel of them; the share that agrees without that is in brackets. In `ray` Gazebo meets collision shapes, and we
-visuals: its share is only shown, but for worlds in which both are the same. Source a workspace first. OUT gets the
-runs, and table.txt. Exit code 0 where at least 99 % of the rays agree in each world (but ENOUGH_IN).
+A ray agrees within 2 cm. The rays of `gpu_ray` are read from pictures of 2048 columns: they also agree if a range within
+half a pixel does; the share that agrees without this is in brackets. With `ray`, Gazebo's rays hit collision shapes and
+ours visuals: this share is only shown, except for worlds in which both are the same. Source a workspace first. OUT gets the
+runs and table.txt. Exit code 0 if at least 99 % of the rays agree in each world (exceptions: ENOUGH_IN).
 """
 import os
 import pathlib
@@ -23,11 +23,11 @@ import scanner
 SCANS = pathlib.Path(__file__).resolve().parents[2] / 'test/reference/gazebo_scans'
 NEAR = 0.02  # [m]
 ENOUGH = 0.99
-# Where Gazebo 11 halves the steps of a heightmap's picture, and joins their other corners, than is done here.
+# In this world, Gazebo 11 halves the steps of the heightmap's picture and splits the cells along their other diagonal.
 ENOUGH_IN = {'rotors_simulator/outdoor': 0.975}
-# Three pictures share the turn, 2048 pixels each (GpuRaySensor.cc): this is half of their middle one [rad].
+# Three pictures of 2048 pixels each cover the turn (GpuRaySensor.cc): this is half of a pixel in the middle of one [rad].
 HALF_PIXEL = np.tan((scanner.AZIMUTHS[1] - scanner.AZIMUTHS[0]) / 6) / 2048
-# Worlds whose collision shapes are as what is seen, where the scanner is.
+# Worlds whose collision shapes equal the visuals around the scanner.
 SAME_SHAPES = ('pal_gazebo_worlds/pal_office', 'pal_gazebo_worlds/simple_office_with_people', 'pal_gazebo_worlds/factory',
                'pal_gazebo_worlds/home', 'pal_gazebo_worlds/hospital', 'rotors_simulator/powerplant',
                'rotors_simulator/test_city')
@@ -44,7 +44,7 @@ MARKER = ('<sdf version="1.6"><model name="m"><link name="l"><visual name="v"><g
 
 
 def settings(out, world, lidars):
-    """A scene with nothing in it but the world: a run needs a camera and an object, which are far above."""
+    """A scene with nothing but the world: the camera and the object that a run needs are far above it."""
     return f'''motion: placement
 placement: {{mode: volume, orientation: upright, volume: {{min: [-1, -1, 900], max: [1, 1, 901]}}}}
 scenes: 1
@@ -63,7 +63,7 @@ if_exists: overwrite
 
 
 def scan(name, reference, out, look):
-    """The ranges of each of our scanners, by its name: `ray`, and gpu_ray0 ... around gpu_ray's directions."""
+    """The ranges of each of our scanners by name: `ray`, and gpu_ray0, ... around the directions of gpu_ray."""
     sensors = {'ray': scanner.sensor('ray', 'ray')}
     for i, directions in enumerate(AROUND):
         sensors[f'gpu_ray{i}'] = scanner.sensor('gpu_ray', f'gpu_ray{i}', *directions)
@@ -71,7 +71,7 @@ def scan(name, reference, out, look):
     root = f'{reference}/worlds/{name.split("/")[0]}'
     models, packages = look.paths(root)
     out.mkdir(parents=True)
-    # The world's relative paths start in its own folder, where nothing is written.
+    # The relative paths of the world start in its own folder, where nothing is written.
     world = out / 'scene.world'
     world.write_text(scanner.with_scanners(file.read_text(errors='replace'), scanner.PLACES[name], sensors.values()))
     (out / 'camera.yaml').write_text(CAMERA)
@@ -89,7 +89,7 @@ def scan(name, reference, out, look):
 
 
 def compare(name, ours):
-    """Shares of rays that agree: of `ray`, of `gpu_ray`, and of the latter with no half pixel."""
+    """Shares of rays that agree: for `ray`, for `gpu_ray`, and for `gpu_ray` without the half pixel."""
     theirs = np.load(SCANS / f'{name.replace("/", "__")}.npz')
     ray, gpu_ray = theirs['ray'] / 1000, theirs['gpu_ray'] / 1000
     around = np.stack([ours[f'gpu_ray{i}'] for i in range(len(AROUND))])
@@ -101,7 +101,7 @@ def main():
     reference = os.path.realpath(sys.argv[1])
     out = pathlib.Path(sys.argv[2]).resolve()
     sys.path.insert(0, f'{reference}/gazebo')
-    import look  # of the reference data: which folders are models' and packages'
+    import look  # from the reference data: finds the folders of models and packages
 
     lines, agreeing = [], 0
     names = sys.argv[3:] or list(scanner.PLACES)

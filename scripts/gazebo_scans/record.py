@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Has Gazebo 11 scan worlds of the reference data, for compare.py.
+"""Scans worlds of the reference data with Gazebo 11, for compare.py.
 
 usage: record.py REFERENCE_FOLDER [NAME...] [--chroot DIR]
 
-Each world gets a file in test/reference/gazebo_scans: the ranges of a sensor of type `ray`, which meets collision shapes,
-and of one of type `gpu_ray`, which meets visuals [mm]. NAME: as in scanner.py (default: all). DIR: a system with Gazebo 11,
-made by the reference data's gazebo/setup.sh (default: ~/.cache/gazebo11). Needs root, as setup.sh does; a world takes 20 to 90 s.
+Each world gets a file in test/reference/gazebo_scans: the ranges [mm] of a sensor of type `ray`, which sees collision shapes,
+and of one of type `gpu_ray`, which sees visuals. NAME: as in scanner.py (default: all). DIR: a system with Gazebo 11, made by
+the reference data's gazebo/setup.sh (default: ~/.cache/gazebo11). Needs root, as setup.sh does; a world takes 20 to 90 s.
 """
 import argparse
 import os
@@ -20,7 +20,7 @@ import scanner
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCANS = HERE.parents[1] / 'test/reference/gazebo_scans'
-LONGEST = 240  # [s] for a world
+LONGEST = 240  # [s] per world
 
 
 def build_plugin(system):
@@ -30,7 +30,7 @@ def build_plugin(system):
 
 
 def commands(folder, world, models, packages):
-    """What runs in the system, with its own X server, until both sensors have measured."""
+    """The commands to run in the system, with its own X server, until both sensors have measured."""
     display, port = 100 + os.getpid() % 800, 12000 + os.getpid() % 5000
     return f'''cd {world.parent}; export HOME={folder} DISPLAY=:{display} LIBGL_ALWAYS_SOFTWARE=1 LANG=C.UTF-8
 . /usr/share/gazebo/setup.sh
@@ -54,7 +54,7 @@ def record(name, reference, system, look):
     text = scanner.with_scanners(file.read_text(errors='replace'), scanner.PLACES[name],
                                  [scanner.sensor(kind, kind) for kind in scanner.KINDS],
                                  f'<plugin name="scan" filename="libscan_plugin.so"><path>{folder}</path></plugin>')
-    beside = file.with_name(f'.{file.stem}_{os.getpid()}.world')  # where the world's relative paths start
+    beside = file.with_name(f'.{file.stem}_{os.getpid()}.world')  # in the folder in which the world's relative paths start
     mounted = pathlib.Path(system + root)
     inside.mkdir()
     mounted.mkdir(parents=True, exist_ok=True)
@@ -81,7 +81,7 @@ def main():
     given = arguments.parse_args()
     reference = os.path.realpath(given.reference)
     sys.path.insert(0, f'{reference}/gazebo')
-    import look  # of the reference data: which folders are models' and packages'
+    import look  # from the reference data: finds the folders of models and packages
 
     build_plugin(given.chroot)
     failed = False

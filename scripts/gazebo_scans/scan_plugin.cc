@@ -1,5 +1,6 @@
-// A world plugin for Gazebo 11: writes what the world's scanner measures, PATH/ray.txt and PATH/gpu_ray.txt, a range a
-// line, ring after ring, while everything stands where its file has it. record.py builds it and adds it to a world.
+// A world plugin for Gazebo 11: writes the measurements of the world's scanner to PATH/ray.txt and PATH/gpu_ray.txt, a
+// range per line, ring after ring, while everything stands where its file puts it. record.py builds it and adds it to a
+// world.
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace gazebo {
 
-// When a sensor that renders measures first, not all of the scene is there.
+// In the first sweeps of a rendering sensor, the scene is not complete yet.
 constexpr int kKeptSweep = 5;
 
 class ScanPlugin : public WorldPlugin {

@@ -5,11 +5,11 @@ import re
 import numpy as np
 
 RINGS, COLUMNS = 16, 360
-AZIMUTHS, ELEVATIONS = (-3.1, 3.1), (-0.4, 0.3)  # [rad]; a whole turn would have its first ray twice
+AZIMUTHS, ELEVATIONS = (-3.1, 3.1), (-0.4, 0.3)  # [rad]; a whole turn would contain its first ray twice
 RANGES = (0.3, 60.0)  # [m]
 KINDS = ('ray', 'gpu_ray')
 
-# Worlds, and where the scanner stands: x, y, z [m], roll, pitch, yaw.
+# The worlds, and the scanner's pose in each: x, y, z [m], roll, pitch, yaw [rad].
 PLACES = {
     'pal_gazebo_worlds/pal_office': (-0.5, -0.5, 1, 0, 0, 0.3),
     'pal_gazebo_worlds/simple_office_with_people': (0, 2.5, 1, 0, 0, 0.3),
@@ -41,7 +41,7 @@ def sensor(kind, name, turn=0.0, tilt=0.0):
 
 
 def with_scanners(text, pose, sensors, more=''):
-    """The text of a world with a model `scanner` in it; nothing falls, and what is included stands still."""
+    """The text of a world with a model `scanner` added; nothing falls, and included models are static."""
     text = re.sub(r'<gravity>[^<]*</gravity>', '', text)
     text = re.sub(r'<include>((?:(?!</?include>|<static>).)*)</include>', r'<include><static>1</static>\1</include>', text,
                   flags=re.DOTALL)
@@ -53,6 +53,6 @@ def with_scanners(text, pose, sensors, more=''):
 
 
 def whole_ranges(ranges):
-    """[m], rings x columns; RANGES[1] where nothing was met."""
+    """Ranges [m], rings x columns; RANGES[1] where the ray hits nothing."""
     ranges = np.asarray(ranges, float).reshape(RINGS, COLUMNS)
     return np.where(np.isfinite(ranges), ranges, RANGES[1])

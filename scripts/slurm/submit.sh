@@ -1,23 +1,23 @@
 #!/usr/bin/env bash
-# Makes a dataset with a Slurm cluster: COUNT tasks make a shard each, then a job merges them.
+# Makes a dataset on a Slurm cluster: COUNT tasks make a shard each, then a job merges them.
 #   submit.sh [OPTION...] CONFIG COUNT output_folder:=FOLDER [NAME:=VALUE...] [-- SBATCH_OPTION...]
 #
 #   CONFIG            settings, as for `generate --config`
 #   COUNT             number of shards; each is a task of a job array
 #   output_folder:=   where the dataset goes: a folder that all nodes and this machine share. It is
-#                     required here: settings may name another one on each machine
-#   NAME:=VALUE       other settings, instead of those in CONFIG
+#                     required, as CONFIG may name a different one on each machine
+#   NAME:=VALUE       other settings, which override those in CONFIG
 #   SBATCH_OPTION     for both jobs: --partition, --account, --time, --mem, --cpus-per-task, ...
 #
 #   --at-once N       at most N tasks at a time (default: as many as the cluster has room for)
 #   --logs FOLDER     where the tasks' logs go (default: the output folder's name with `-logs`)
-#   --restarts N      how often a task may be started again (default: 5)
+#   --restarts N      how often a task may be restarted (default: 5)
 #   --setup FILE      sourced by each task before anything else: modules, the workspace (default:
 #                     setup.bash of the workspace that this script belongs to)
 #   --shards FOLDER   each shard in a folder of its own below FOLDER, which is shared as well
 #                     (default: all in the output folder)
 #
-# The same line again goes on where an earlier one ended. docs/cluster.md says what happens when.
+# The same command continues where an earlier one ended. docs/cluster.md says what happens when.
 set -euo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -34,7 +34,7 @@ is_count_from_1() {
   [[ $1 =~ ^[1-9][0-9]{0,5}$ ]]
 }
 
-# find_program NAME: beside this script in an install space, elsewhere in a workspace.
+# find_program NAME: prints its path: beside this script in an install space, elsewhere in a workspace.
 find_program() {
   if [ -x "$scripts/$1" ]; then
     printf '%s\n' "$scripts/$1"
@@ -75,7 +75,7 @@ read_arguments() {
       --) shift && sbatch_options=("$@") && return ;;
       output_folder:=?*)
         output=${1#output_folder:=}
-        [[ $output != '~'/* ]] || output=$HOME/${output:2}  # which the shell leaves as it is here
+        [[ $output != '~'/* ]] || output=$HOME/${output:2}  # the shell does not expand ~ after :=
         output=$(realpath -m -- "$output") ;;
       shard:=* | shard/*:=*) fail "found $1; the shards are numbered by this script" ;;
       ?*:=*) settings+=("$1") ;;
@@ -96,12 +96,12 @@ check() {
   command -v sbatch >/dev/null || fail "sbatch is not found; this machine has no Slurm"
 }
 
-# submit LOG OPTION... SCRIPT ARGUMENT...: prints the job's number. What comes later takes precedence, so
-# the user's options stand between defaults and what makes the two jobs what they are.
+# submit LOG OPTION... SCRIPT ARGUMENT...: prints the job's number. Later options take precedence, so the
+# user's options come after the defaults and before those on which the two jobs depend.
 submit() {
   local answer
   answer=$(sbatch --parsable --output="${logs//%/%%}/$1" "${sbatch_options[@]}" "${@:2}") &&
-    printf '%s\n' "${answer%%;*}"  # the cluster's name follows where there are several
+    printf '%s\n' "${answer%%;*}"  # the cluster's name follows if there are several
 }
 
 read_options "$@"
@@ -109,7 +109,7 @@ read_arguments "${arguments[@]}"
 logs=${logs:-$output-logs}
 generate=$(find_program generate)
 merge=$(find_program merge)
-# What a workspace and an install space have in common: PREFIX/lib/synthetic_dataset/generate.
+# In a workspace as in an install space, the program is PREFIX/lib/synthetic_dataset/generate.
 setup=${setup:-${generate%/*/*/*}/setup.bash}
 check
 mkdir -p -- "$logs" "$output"
@@ -121,7 +121,7 @@ if [ -n "$shards" ]; then
   done
 fi
 
-# Tasks take over the environment, in which a job that runs this script may have left its own numbers.
+# Tasks inherit the environment, which contains other job numbers if this script itself runs in a job.
 unset SLURM_RESTART_COUNT SLURM_ARRAY_JOB_ID SLURM_ARRAY_TASK_ID
 array=$(submit %x-%A_%a.log --array="0-$((count - 1))${at_once:+%$at_once}" "$scripts/array.sbatch" \
   "$scripts" "$setup" "$restarts" "$generate" "$config" "$count" "$shards" "$output" \

@@ -42,7 +42,7 @@ void expand(std::optional<Box>& box, const Eigen::Vector2d& point) {
   box->bottom = std::max(box->bottom, point.y());
 }
 
-/// Points whose hull is that part of the hull of `points` which is not before the near plane.
+/// Points whose hull is the part of the hull of `points` at or beyond the near plane.
 std::vector<Eigen::Vector3d> clippedCorners(const std::vector<Eigen::Vector3d>& points,
                                             double near) {
   std::vector<Eigen::Vector3d> corners;
@@ -69,7 +69,7 @@ std::vector<Eigen::Vector3d> clippedCorners(const std::vector<Eigen::Vector3d>& 
   return corners;
 }
 
-/// Whether straight lines look straight, and to the image's farthest corner.
+/// Whether straight lines appear straight, out to the image's farthest corner.
 bool isStraight(const Distortion& distortion) {
   return distortion.model == DistortionModel::kNone && distortion.cutoff_angle >= kHalfPi;
 }
@@ -124,8 +124,9 @@ std::optional<Eigen::Vector3d> CameraModel::ray(const Eigen::Vector2d& pixel) co
 }
 
 bool CameraModel::isPinhole() const {
-  // Without coefficients the polynomials are 1, but a fisheye's angle is still not its tangent.
-  return !lens::modelOf(distortion_.model).bends_without &&
+  // Without coefficients the polynomials are 1, but a fisheye's radius is still the angle and not
+  // its tangent.
+  return !lens::modelOf(distortion_.model).bends_without_coefficients &&
          std::all_of(distortion_.coefficients.begin(), distortion_.coefficients.end(),
                      [](double coefficient) { return coefficient == 0.0; });
 }

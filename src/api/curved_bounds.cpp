@@ -11,13 +11,13 @@ namespace synthetic_dataset::lens {
 namespace {
 
 constexpr double kStraightness =
-    0.02;  // [px] how far a piece of an outline may stray from straight
+    0.02;  // [px] how far a piece of an outline may deviate from a straight line
 
 constexpr double kFarthestPixel = 1e12;  // [px]
 
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// What the camera sees in a direction, at whatever distance.
+/// Projects directions, whatever the distance along them, and collects the box around the pixels.
 class Screen {
  public:
   explicit Screen(const CameraModel& camera) : camera_(camera) {}
@@ -27,12 +27,12 @@ class Screen {
     if (!place) return std::nullopt;
     const Intrinsics& k = camera_.intrinsics();
     const Eigen::Vector2d pixel(k.fx * place->x() + k.cx, k.fy * place->y() + k.cy);
-    // Farther away there is nothing to be exact about, up to numbers that are none.
+    // Farther away precision does not matter, and numbers may overflow or become NaN.
     if (!(pixel.cwiseAbs().maxCoeff() < kFarthestPixel)) return std::nullopt;
     return pixel;
   }
 
-  /// Lets the box hold a pixel.
+  /// Extends the box to contain a pixel.
   void add(const Eigen::Vector2d& p) {
     if (!box_) box_ = Box{p.x(), p.y(), p.x(), p.y()};
     box_->left = std::min(box_->left, p.x());
@@ -43,7 +43,8 @@ class Screen {
 
   [[nodiscard]] const std::optional<Box>& box() const { return box_; }
 
-  /// Far outside of the image an outline may be less exact, in proportion.
+  /// The allowed deviation of an outline from a straight line [px]; it grows with the distance from
+  /// the image.
   [[nodiscard]] double straightness(const Eigen::Vector2d& p) const {
     const double outside =
         std::max({-p.x(), p.x() - camera_.width(), -p.y(), p.y() - camera_.height(), 0.0});
@@ -58,7 +59,7 @@ class Screen {
 /// Adds an arc of a great circle along which the angle to the axis only grows or only shrinks.
 /// @param a, b  unit vectors
 void addMonotoneArc(Screen& screen, const Eigen::Vector3d& a, const Eigen::Vector3d& b, int depth) {
-  constexpr int kCoarsest = 3;  // halvings in any case
+  constexpr int kCoarsest = 3;  // the least number of halvings
   constexpr int kFinest = 30;
   const auto pixel_a = screen.pixel(a);
   const auto pixel_b = screen.pixel(b);
@@ -79,7 +80,7 @@ void addMonotoneArc(Screen& screen, const Eigen::Vector3d& a, const Eigen::Vecto
 void addArc(Screen& screen, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d normal = a.cross(b);
   if (normal.norm() > 1e-12) {
-    // Nearest to the axis, and farthest from it, the great circle passes here.
+    // The points of the great circle that are nearest to the axis and farthest from it.
     const Eigen::Vector3d n = normal.normalized();
     const Eigen::Vector3d nearest = Eigen::Vector3d::UnitZ() - n.z() * n;
     for (const Eigen::Vector3d& turn : {nearest, Eigen::Vector3d(-nearest)}) {
@@ -93,7 +94,7 @@ void addArc(Screen& screen, const Eigen::Vector3d& a, const Eigen::Vector3d& b) 
   addMonotoneArc(screen, a, b, 0);
 }
 
-/// Adds the rim of what the lens sees where `inside` holds.
+/// Adds the rim of the lens's field of view where `inside` is true.
 template <class Predicate>
 void addRim(Screen& screen, double largest_angle, const Predicate& inside) {
   constexpr int kPlaces = 4096;
@@ -135,8 +136,8 @@ Outline convexOutline(Outline points) {
   return hull;
 }
 
-/// A direction with which all others make an acute angle, found as a perceptron does; nothing when
-/// the camera is inside of the hull, or all but.
+/// A direction at an acute angle to all others, found with the perceptron algorithm; nullopt if the
+/// camera is inside the hull, or nearly so.
 std::optional<Eigen::Vector3d> commonDirection(const std::vector<Eigen::Vector3d>& directions) {
   constexpr int kRounds = 2000;
   constexpr double kLeastCosine = 1e-4;

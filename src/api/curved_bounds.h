@@ -9,8 +9,8 @@
 
 namespace synthetic_dataset::lens {
 
-/// The box around what a lens with distortion shows of the points' convex hull.
-/// @param points_C  with a lens that has a near plane: the corners of the clipped hull
+/// The box around the part of the points' convex hull that a lens with distortion shows.
+/// @param points_C  for a lens with a near plane, the corners of the clipped hull
 [[nodiscard]] std::optional<Box> curvedBounds(const CameraModel& camera,
                                               const std::vector<Eigen::Vector3d>& points_C);
 

@@ -14,7 +14,7 @@ namespace {
 
 using lens::LensModel;
 
-/// A name as it is compared: "Kannala-Brandt 4" is "kannalabrandt4".
+/// The form in which names are compared: "Kannala-Brandt 4" becomes "kannalabrandt4".
 std::string plain(const std::string& name) {
   std::string result;
   for (const char letter : name) {
@@ -24,11 +24,11 @@ std::string plain(const std::string& name) {
   return result;
 }
 
-/// A model that others have and that is not drawn.
+/// A model of other software that cannot be rendered.
 struct OtherModel {
   const char* name;  ///< plain
   const char* what;
-  bool bends_without;  ///< it is not a pinhole when all of its coefficients are 0
+  bool bends_without_coefficients;  ///< it is not a pinhole even if all coefficients are 0
 };
 
 constexpr OtherModel kOtherModels[] = {
@@ -80,8 +80,8 @@ bool isZero(double number) { return number == 0.0; }
               "; it should be " + choices + didYouMean(name, names));
 }
 
-/// How many numbers of a list are the model's: of the counts that it may have the largest that the
-/// list holds, if what follows is 0.
+/// How many numbers of a list are the model's: the largest count that the model allows and the list
+/// holds, if all numbers after it are 0.
 std::size_t usedCount(const LensModel& model, const std::vector<double>& list) {
   const auto fits = [&](std::size_t count) {
     return count <= list.size() &&
@@ -95,7 +95,7 @@ std::size_t usedCount(const LensModel& model, const std::vector<double>& list) {
               ", and what follows them should be 0");
 }
 
-/// cv::projectPoints takes a list for what its length says, and ROS hands it on to that.
+/// The model by the list's length, as in cv::projectPoints, to which ROS passes its list.
 const LensModel& byLength(const LensModel& model, const std::vector<double>& list) {
   constexpr std::size_t kMostOfPlumbBob = 5;
   const bool is_longer = model.model == DistortionModel::kPlumbBob &&
@@ -128,7 +128,7 @@ Distortion makeDistortion(const std::string& name, const std::vector<double>& co
   const LensModel* named = findModel(name);
   if (named == nullptr) {
     const OtherModel* other = findOther(name);
-    if (all_zero && !(other != nullptr && other->bends_without)) return {};
+    if (all_zero && !(other != nullptr && other->bends_without_coefficients)) return {};
     refuseModel(name);
   }
   if (named->model == DistortionModel::kNone && !all_zero) {
@@ -136,7 +136,7 @@ Distortion makeDistortion(const std::string& name, const std::vector<double>& co
                 name + "'; they should be 0, or the model be named");
   }
   const LensModel& model = byLength(*named, coefficients);
-  if (all_zero && !model.bends_without) return {};
+  if (all_zero && !model.bends_without_coefficients) return {};
   Distortion distortion;
   distortion.model = model.model;
   if (!all_zero) {

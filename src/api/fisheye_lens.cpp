@@ -33,7 +33,7 @@ std::optional<Eigen::Vector2d> fisheyePlace(const Distortion& distortion, double
   const double across = direction.head<2>().norm();
   const double angle = std::atan2(across, direction.z());
   if (!(angle <= largest_angle)) return std::nullopt;
-  if (across == 0.0) {  // the axis; behind the camera it has no one place
+  if (across == 0.0) {  // on the axis; behind the camera it has no single place
     return direction.z() > 0.0 ? std::optional(Eigen::Vector2d(0.0, 0.0)) : std::nullopt;
   }
   return Eigen::Vector2d(direction.head<2>() * (fisheyeRadius(distortion, angle).value / across));

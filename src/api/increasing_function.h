@@ -11,8 +11,8 @@ struct Slope {
   double slope = 0.0;
 };
 
-/// Where an increasing function with f(0) = 0 reaches a value in [0, end]: Newton's steps, and
-/// halving wherever they would leave the interval that holds the answer.
+/// Finds where in [0, end] an increasing function with f(0) = 0 reaches a value: by Newton steps,
+/// or bisection where they would leave the interval that contains the solution.
 /// @param function  gives a Slope
 template <class Function>
 double solveIncreasing(const Function& function, double wanted, double end) {

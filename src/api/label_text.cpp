@@ -13,7 +13,7 @@ inline namespace v2 {
 
 std::string fixed(double number, int decimals) {
   std::ostringstream stream;
-  stream.imbue(std::locale::classic());  // a point, whatever the user's language
+  stream.imbue(std::locale::classic());  // a decimal point, whatever the user's language
   stream << std::fixed << std::setprecision(decimals) << number;
   return stream.str();
 }
@@ -32,7 +32,7 @@ std::string safeFileName(const std::string& text) {
   std::string name = text;
   if (name.size() > kLongest) {
     std::size_t end = kLongest;
-    while (end > 0 && isContinuation(name[end])) --end;  // no half of a UTF-8 character
+    while (end > 0 && isContinuation(name[end])) --end;  // do not split a UTF-8 character
     name.resize(end);
   }
   for (char& c : name) {
@@ -41,7 +41,8 @@ std::string safeFileName(const std::string& text) {
                        (c >= 'a' && c <= 'z') || c == '-' || c == '_' || c == '.';
     if (!stays) c = '_';
   }
-  if (!name.empty() && name.front() == '.') name.front() = '_';  // hidden, or the folder above
+  if (!name.empty() && name.front() == '.')
+    name.front() = '_';  // would be hidden, or the parent folder
   if (!name.empty() && name == text) return name;
   constexpr std::size_t kDigits = 8;
   return name + "_" + Fingerprint(text).text().substr(0, kDigits);

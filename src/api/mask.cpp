@@ -12,7 +12,7 @@ namespace synthetic_dataset {
 inline namespace v2 {
 namespace {
 
-constexpr int kWord = 8;  // pixels that are looked at at once
+constexpr int kWord = 8;  // pixels that are tested at once
 
 bool isEmpty(const std::uint8_t* pixels) {
   std::uint64_t word = 0;
@@ -21,7 +21,7 @@ bool isEmpty(const std::uint8_t* pixels) {
   return word == 0;
 }
 
-/// The first pixel of a row that is not 0; `end` where there is none before it.
+/// The first non-zero pixel of a row; `end` if there is none before it.
 int firstOf(const std::uint8_t* row, int end) {
   int at = 0;
   while (at + kWord <= end && isEmpty(row + at)) at += kWord;
@@ -29,7 +29,7 @@ int firstOf(const std::uint8_t* row, int end) {
   return at;
 }
 
-/// Behind the last pixel of a row that is not 0; `begin` where there is none from there on.
+/// One past the last non-zero pixel of a row; `begin` if there is none from there on.
 int endOf(const std::uint8_t* row, int begin, int end) {
   while (end - kWord >= begin && isEmpty(row + end - kWord)) end -= kWord;
   while (end > begin && row[end - 1] == 0) --end;

@@ -7,8 +7,9 @@ namespace synthetic_dataset {
 inline namespace v2 {
 namespace {
 
-/// Damerau's distance: insertions, deletions, replacements and swaps of neighbours, of which no
-/// letter takes part in two; one row of the table at a time.
+/// The restricted Damerau-Levenshtein distance (optimal string alignment): insertions, deletions,
+/// replacements and swaps of neighbours, with each letter part of at most one edit. Keeps only the
+/// last rows of the table.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -33,7 +34,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 std::optional<std::string> nearestName(const std::string& name,
                                        const std::vector<std::string>& candidates) {
-  constexpr std::size_t kLongest = 500;  // of what a person may have misspelt
+  constexpr std::size_t kLongest = 500;  // longer than any name that a person may misspell
   std::optional<std::string> nearest;
   if (name.size() > kLongest) return nearest;
   std::size_t smallest = std::max<std::size_t>(name.size() / 3, 1) + 1;

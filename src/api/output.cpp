@@ -5,7 +5,7 @@
 namespace synthetic_dataset {
 inline namespace v2 {
 
-// Out of line: one home for the vtables, so that casts work across plugin libraries.
+// Out of line, so that each vtable is in one place and casts work across plugin libraries.
 SceneOutput::~SceneOutput() = default;
 SceneRecords::~SceneRecords() = default;
 DatasetOutput::~DatasetOutput() = default;

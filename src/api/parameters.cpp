@@ -47,7 +47,7 @@ std::optional<int> convert(const Value& value, std::string& problem) {
   return std::nullopt;
 }
 
-/// A number such as 1e-05, which YAML 1.1, and so roslaunch, takes for a text; yaml-cpp writes it.
+/// A number such as 1e-05, which yaml-cpp writes but YAML 1.1, and so roslaunch, reads as a text.
 std::optional<double> numberIn(const std::string& text) {
   if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
   std::istringstream stream(text);
@@ -57,8 +57,8 @@ std::optional<double> numberIn(const std::string& text) {
   return number;
 }
 
-/// An angle in degrees that came as a text, as those of private parameters do: in settings files,
-/// rosparam's `deg(90)` is a number already.
+/// An angle in degrees given as a text, as in private parameters: in settings files, rosparam's
+/// `deg(90)` is already a number.
 std::optional<double> degreesIn(const std::string& text) {
   const bool is_angle = text.rfind("deg(", 0) == 0 && text.back() == ')';
   const auto number = is_angle ? numberIn(text.substr(4, text.size() - 5)) : std::nullopt;
@@ -132,7 +132,7 @@ std::optional<std::vector<Eigen::Vector3d>> convert(const Value& value, std::str
   return convertList<Eigen::Vector3d>(value, "a list of points, each [x, y, z] in metres", problem);
 }
 
-/// Long lists would hide what the message has to say.
+/// Shortened, as a long list would hide the rest of the message.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kLongest = 80;
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
@@ -140,7 +140,7 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-/// What all groups of one root share.
+/// The state shared by all groups of one root.
 struct Parameters::Notes {
   std::vector<std::string> errors;
   std::vector<std::string> defaults;
@@ -256,7 +256,7 @@ std::string Parameters::optionalChoice(const std::string& name,
   return maybeChoice(name, choices).value_or(fallback);
 }
 
-// The types that the header promises; lists have no printable default.
+// The types that the header lists; lists have no printable default.
 template std::optional<bool> Parameters::maybe(const std::string&);
 template std::optional<int> Parameters::maybe(const std::string&);
 template std::optional<std::int64_t> Parameters::maybe(const std::string&);

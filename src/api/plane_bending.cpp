@@ -11,8 +11,8 @@
 namespace synthetic_dataset::lens {
 namespace {
 
-/// The radial factor (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3), with s = r^2 and
-/// the derivative by s. Not a number past a pole of the denominator.
+/// The radial factor (1 + k1 s + k2 s^2 + k3 s^3) / (1 + k4 s + k5 s^2 + k6 s^3), with s = r^2, and
+/// its derivative with respect to s. NaN where the denominator is not positive.
 Slope radialFactor(const Bending& k, double s) {
   const double above = 1.0 + s * (k[0] + s * (k[1] + s * k[4]));
   const double below = 1.0 + s * (k[5] + s * (k[6] + s * k[7]));
@@ -22,7 +22,7 @@ Slope radialFactor(const Bending& k, double s) {
   return {above / below, (above_slope * below - above * below_slope) / (below * below)};
 }
 
-/// r times the radial factor, by r.
+/// r times the radial factor, and its derivative with respect to r.
 Slope bentRadius(const Bending& k, double r) {
   const Slope factor = radialFactor(k, r * r);
   return {r * factor.value, factor.value + 2.0 * r * r * factor.slope};
@@ -45,7 +45,7 @@ Eigen::Vector2d prismSlope(const Bending& k, double s) {
   return {2.0 * k[8] + 4.0 * s * k[9], 2.0 * k[10] + 4.0 * s * k[11]};
 }
 
-/// The view of a sensor that is tilted by tau_x and tau_y.
+/// The projection to a sensor that is tilted by tau_x and tau_y.
 Eigen::Matrix3d tiltOf(const Bending& k) {
   const double cx = std::cos(k[12]);
   const double sx = std::sin(k[12]);
@@ -60,7 +60,7 @@ Eigen::Matrix3d tiltOf(const Bending& k) {
 
 bool hasTilt(const Bending& k) { return k[12] != 0.0 || k[13] != 0.0; }
 
-/// Before the sensor is tilted.
+/// The distorted position without the sensor's tilt.
 Eigen::Vector2d bendUpright(const Bending& k, const Eigen::Vector2d& x) {
   const Eigen::Vector2d p = tangential(k);
   const double s = x.squaredNorm();
@@ -78,7 +78,7 @@ Eigen::Matrix2d jacobian(const Bending& k, const Eigen::Vector2d& x) {
   return J + prismSlope(k, x.squaredNorm()) * x.transpose();
 }
 
-/// The end of an interval from 0 in which the radius reaches `wanted`, or the nearest to it.
+/// The end of an interval from 0 in which the bent radius reaches `wanted` if it can.
 double radiusEnd(const Bending& k, double end, double wanted) {
   constexpr double kFarthest = 1e9;
   if (std::isfinite(end)) return end;
@@ -87,7 +87,8 @@ double radiusEnd(const Bending& k, double end, double wanted) {
   return far;
 }
 
-/// Newton's method on the plane, shortened until a step stays in the disc and comes nearer.
+/// Newton's method on the plane; steps are shortened until they stay in the disc and reduce the
+/// error.
 std::optional<Eigen::Vector2d> refined(const Bending& k, double end, const Eigen::Vector2d& place,
                                        Eigen::Vector2d x) {
   const double enough = 1e-14 * (1.0 + place.norm());
@@ -121,7 +122,7 @@ std::optional<Eigen::Vector2d> unbendUpright(const Bending& k, double largest,
   return is_radial ? x : refined(k, end, place, x);
 }
 
-/// Where a view of the plane has a place; nothing where that is behind it.
+/// The position of a point of the plane in a view of it; nullopt if the point is behind the view.
 std::optional<Eigen::Vector2d> seenBy(const Eigen::Matrix3d& view, const Eigen::Vector2d& x) {
   const Eigen::Vector3d seen = view * x.homogeneous();
   if (!(seen.z() > 0.0)) return std::nullopt;

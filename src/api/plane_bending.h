@@ -14,19 +14,19 @@ namespace synthetic_dataset::lens {
 /// k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4, tau_x, tau_y.
 using Bending = std::array<double, Distortion::kMostCoefficients>;
 
-/// Where a place of the plane falls; nothing where a tilted sensor cannot have it.
+/// The distorted position of a point of the plane; nullopt if it is behind a tilted sensor.
 [[nodiscard]] std::optional<Eigen::Vector2d> bend(const Bending& k, const Eigen::Vector2d& x);
 
-/// Whether the bending is one to one at this distance from the axis.
+/// Whether the bending is one-to-one at this distance from the axis.
 ///
-/// A map is one to one on a disc where the symmetric part of its Jacobian is positive definite. The
+/// A map is one-to-one on a disc where the symmetric part of its Jacobian is positive definite. The
 /// radial part's eigenvalues are the factor and the radius's slope; those of the tangential part,
 /// 2 (p x^T + x p^T + p.x I), are at least -6 |p| r; those of a thin prism, whose Jacobian is
-/// a x^T, at least -|a| r. A tilt is a view of the plane, and one to one itself.
+/// a x^T, at least -|a| r. A tilt is a view of the plane, and itself one-to-one.
 [[nodiscard]] bool isOneToOne(const Bending& k, double r);
 
-/// The place that bend() takes to this one; nothing where there is none.
-/// @param end  the largest distance from the axis at which it is one to one; may be infinite
+/// The point that bend() maps to this place; nullopt if there is none.
+/// @param end  the largest distance from the axis at which bend() is one-to-one; may be infinite
 [[nodiscard]] std::optional<Eigen::Vector2d> unbend(const Bending& k, double end,
                                                     const Eigen::Vector2d& place);
 

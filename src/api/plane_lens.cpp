@@ -24,7 +24,7 @@ double largestRadius(double largest_angle) {
                                      : std::numeric_limits<double>::infinity();
 }
 
-/// Where the ray meets the plane; nothing beyond the largest angle.
+/// Where the ray meets the plane; nullopt beyond the largest angle.
 std::optional<Eigen::Vector2d> onPlane(double largest_angle, const Eigen::Vector3d& direction) {
   if (!(direction.z() > 0.0)) return std::nullopt;
   const Eigen::Vector2d x = direction.head<2>() / direction.z();

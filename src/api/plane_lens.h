@@ -4,10 +4,10 @@
 
 namespace synthetic_dataset::lens {
 
-/// A pinhole whose picture nothing bends.
+/// A pinhole without distortion.
 extern const LensFunctions kPinhole;
 
-/// A pinhole whose picture OpenCV's polynomials bend (cv::projectPoints).
+/// A pinhole with the distortion of OpenCV's polynomials (cv::projectPoints).
 extern const LensFunctions kBentPinhole;
 
 }  // namespace synthetic_dataset::lens

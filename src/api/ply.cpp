@@ -10,14 +10,13 @@ namespace synthetic_dataset {
 inline namespace v2 {
 namespace {
 
-/// A number as the file's `float` properties hold it: the fewest digits that read back as the same
-/// float, from 6 on, which say what they can without trailing zeros, to 9, which all floats
-/// survive.
+/// A number for the file's `float` properties, with the fewest digits that read back as the same
+/// float: from 6, printed without trailing zeros, to 9, with which every float survives.
 std::string floatText(double number) {
   constexpr int kFewestDigits = 6;
   constexpr int kMostDigits = 9;
   const float value = static_cast<float>(number) + 0.0F;  // no "-0"
-  // std::to_chars has no floating point numbers before GCC 11.
+  // std::to_chars does not support floating-point numbers before GCC 11.
   std::stringstream text;
   text.imbue(std::locale::classic());
   for (int digits = kFewestDigits;; ++digits) {

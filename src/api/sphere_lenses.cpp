@@ -9,7 +9,7 @@
 namespace synthetic_dataset::lens {
 namespace {
 
-/// The angle whose radius this is: the radius grows from 0 on as long as there is one.
+/// The angle with this radius, by bisection: the radius grows from 0 as long as it exists.
 template <class RadiusAt>
 double angleByHalving(const RadiusAt& radiusAt, const Distortion& distortion, double radius) {
   double low = 0.0;
@@ -26,7 +26,7 @@ double angleOf(const Eigen::Vector3d& direction) {
   return std::atan2(direction.head<2>().norm(), direction.z());
 }
 
-/// Whether a direction is seen at all. What is straight behind has no one place.
+/// Whether a direction is visible at all. What is straight behind has no single place.
 bool isWithin(const Eigen::Vector3d& direction, double largest_angle) {
   const bool is_behind = direction.head<2>().isZero(0.0) && !(direction.z() > 0.0);
   return !is_behind && angleOf(direction) <= largest_angle;
@@ -41,7 +41,7 @@ Bending bendingOf(const Distortion& distortion) {
   return {c[1], c[2], c[3], c[4]};
 }
 
-/// sin / (cos + xi). It grows as long as 1 + xi cos is above 0.
+/// sin / (cos + xi). It increases as long as 1 + xi cos is above 0.
 std::optional<double> omniRadius(const Distortion& distortion, double angle) {
   const double xi = mirrorOf(distortion);
   const double below = std::cos(angle) + xi;

@@ -87,7 +87,7 @@ class TestedRecords : public SceneRecords {
   const Scenes& scenes_;
 };
 
-/// What a library writes into a file by itself.
+/// The content of a file that a library writes itself.
 std::string contentOf(const std::function<void(const std::string& file)>& write) {
   const std::string parent = std::filesystem::temp_directory_path().string();
   std::string folder = parent + "/synthetic_dataset_XXXXXX";
@@ -169,7 +169,8 @@ class TestedDatasetOutput : public DatasetOutput {
   UsedPaths paths_;
 };
 
-/// The scene as the core hands it over: with what is required, and nothing else that can be.
+/// The scene as the core passes it to the writer: of the members that can be required, it has only
+/// those that are.
 Scene withRequired(Scene scene, const Requirements& required) {
   const Scene unknown(scene.camera);
   const bool visible_masks = required.visible_masks || required.class_map;

@@ -27,8 +27,8 @@ bool readsBackAs(const std::string& text, double number) {
   return (stream >> read) && read == number;
 }
 
-/// A double as Python's repr() has it: the shortest text that reads back as the same number, with
-/// ".0" where it would look like an integer and an exponent from 1e16 on and below 1e-4.
+/// A double as printed by Python's repr(): the shortest text that reads back as the same number,
+/// with ".0" if it would look like an integer, and with an exponent from 1e16 on and below 1e-4.
 std::string pythonFloat(double number) {
   if (std::isnan(number)) return "nan";
   if (std::isinf(number)) return number > 0 ? "inf" : "-inf";

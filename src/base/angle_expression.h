@@ -5,8 +5,8 @@
 namespace synthetic_dataset::base {
 
 /// The value of rosparam's `rad(...)` and `!radians` [rad]: numbers, pi, + - * / ** and
-/// parentheses, as Python computes them (rosparam has Python evaluate it; functions are not known
-/// here).
+/// parentheses, as Python computes them (rosparam lets Python evaluate the text; functions are not
+/// supported here).
 /// @throws Error saying what was found
 [[nodiscard]] double radians(const std::string& expression);
 

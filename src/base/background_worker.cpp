@@ -48,7 +48,7 @@ void BackgroundWorker::finish() {
   rethrow();
 }
 
-/// The lock is held.
+/// Called with the mutex held.
 void BackgroundWorker::rethrow() {
   if (failure_) std::rethrow_exception(failure_);
 }
@@ -68,7 +68,7 @@ void BackgroundWorker::work() {
     } catch (...) {
       failure = std::current_exception();
     }
-    job = nullptr;  // what it holds is freed before it is reported as done
+    job = nullptr;  // free what it owns before it is reported as done
     lock.lock();
     working_ = false;
     if (failure) {

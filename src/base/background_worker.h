@@ -10,24 +10,24 @@
 
 namespace synthetic_dataset::base {
 
-/// Does jobs one after another, in their order, in a thread of its own.
+/// Does jobs one after another, in the order added, in a thread of its own.
 ///
-/// What a job throws comes out of the next call; the jobs behind it are not done.
+/// The next call rethrows what a job has thrown; the jobs after it are not done.
 class BackgroundWorker {
  public:
   using Job = std::function<void()>;
 
   /// @param most_waiting  jobs that may wait at a time, at least 1
-  /// @throws Error where the system starts no thread
+  /// @throws Error if the system cannot start a thread
   explicit BackgroundWorker(std::size_t most_waiting);
 
-  /// Finishes the job in work; those that wait are not done.
+  /// Finishes the job in progress; those that wait are not done.
   ~BackgroundWorker();
   BackgroundWorker(const BackgroundWorker&) = delete;
   BackgroundWorker& operator=(const BackgroundWorker&) = delete;
 
-  /// Waits while too many jobs wait already.
-  /// @throws what an earlier job threw; this one is not done then
+  /// Blocks while too many jobs are waiting.
+  /// @throws what an earlier job threw; this one is then not done
   void add(Job job);
 
   /// Waits until all jobs are done.

@@ -9,10 +9,10 @@
 
 namespace synthetic_dataset::base {
 
-/// What is kept of clouds' numbers, point by point, as pictures of one column, by their names; the
-/// number is the lidar's:
+/// The stored values of clouds, point by point, as pictures of one column, by name; the number is
+/// the lidar's index:
 /// "cloud_0": x, y, z [m] at the stamp and the intensity, CV_32FC4;
-/// "cloud_0_measured": the same as they were measured;
+/// "cloud_0_measured": the same as measured;
 /// "cloud_0_labels": instance, class and class of the world, CV_16UC3.
 [[nodiscard]] std::map<std::string, cv::Mat> cloudPictures(const Clouds& clouds);
 

@@ -14,15 +14,15 @@
 namespace synthetic_dataset::base {
 
 enum class Severity {
-  kError,    ///< there is no run with it
-  kWarning,  ///< something that the user should know; the manifest lists it, too
+  kError,    ///< prevents the run
+  kWarning,  ///< something that the user should know; also listed in the manifest
   kNote,     ///< something that the user may like to know
 };
 
-/// One thing that was found in the user's settings and files.
+/// One finding in the user's settings and files.
 struct Diagnostic {
   Severity severity = Severity::kError;
-  std::string where;  ///< the setting, or the file and line; empty: nowhere, or `what` names it
+  std::string where;  ///< the setting, or the file and line; empty: none, or `what` names it
   std::string what;
   std::int64_t count = 1;  ///< how often it was found
 
@@ -30,15 +30,15 @@ struct Diagnostic {
   [[nodiscard]] std::string message() const;
 };
 
-/// Something that a run has to say.
+/// Something that a run warns of.
 struct Warning {
-  std::string kind;         ///< what is counted together
-  std::string detail = "";  ///< of this one
+  std::string kind;         ///< warnings of one kind are counted together
+  std::string detail = "";  ///< of this warning
   std::int64_t count = 1;
 };
 
-/// Collects what is found by steps that do not depend on each other, so that the user sees all of
-/// it at once. Each thing is listed once, in the order in which they were found.
+/// Collects the findings of steps that do not depend on each other, so that the user sees all of
+/// them at once. Each finding is listed once, in the order of discovery.
 class Diagnostics {
  public:
   void error(std::string where, std::string what) {
@@ -51,21 +51,21 @@ class Diagnostics {
     add({Severity::kNote, std::move(where), std::move(what)});
   }
 
-  /// A thing that is listed already is counted again.
+  /// Adds a finding; one that is already listed is counted again.
   void add(Diagnostic found);
 
-  /// Messages that name their places themselves.
+  /// Adds messages that name their places themselves.
   void add(Severity severity, const std::vector<std::string>& messages);
 
-  /// What was thrown: an ErrorList as its errors.
+  /// Adds a thrown error; for an ErrorList, each of its errors.
   void add(const Error& thrown);
 
-  /// Appends what another one has collected.
+  /// Appends what another object has collected.
   void merge(const Diagnostics& other);
 
   /// Runs a step and keeps the errors that it throws.
-  /// @return what the step returns, or nothing when it failed; of a step that returns nothing,
-  ///     whether it succeeded
+  /// @return what the step returns, or nullopt if it failed; for a step that returns void, whether
+  ///     it succeeded
   template <class Step>
   auto attempt(const Step& step) {
     if constexpr (std::is_void_v<decltype(step())>) {
@@ -101,11 +101,10 @@ class Diagnostics {
   }
 
   std::vector<Diagnostic> all_;
-  std::map<std::pair<Severity, std::string>, std::size_t> places_;  ///< of their messages in it
+  std::map<std::pair<Severity, std::string>, std::size_t> places_;  ///< of messages in all_
 };
 
-/// Does some work for a setting or a file; errors that it throws name that then:
-/// "<where>: <error>".
+/// Does some work for a setting or a file and names that in any error thrown: "<where>: <error>".
 template <class Work>
 auto namingPlace(const std::string& where, const Work& work) -> decltype(work()) {
   try {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The innermost one of this thread; files are opened too deep within for it to be handed down.
+/// The innermost watch of this thread; files are opened too deep in the call stack to pass it down.
 thread_local InputWatch* watch = nullptr;
 
 constexpr const char* kPipe = "is a pipe or a device; a file is needed";
@@ -58,7 +58,7 @@ std::string textFault(std::string_view bytes) {
 }
 
 std::string didYouMeanFile(const fs::path& file) {
-  constexpr std::size_t kMost = 10000;  // in a folder of more, none is looked for
+  constexpr std::size_t kMost = 10000;  // larger folders are not searched
   std::error_code error;
   if (fs::exists(file, error)) return "";
   std::vector<std::string> names;
@@ -68,7 +68,7 @@ std::string didYouMeanFile(const fs::path& file) {
     names.push_back(each->path().filename().string());
     if (names.size() > kMost) return "";
   }
-  std::sort(names.begin(), names.end());  // of equals always the same one
+  std::sort(names.begin(), names.end());  // so that ties are always resolved alike
   return didYouMean(file.filename().string(), names);
 }
 

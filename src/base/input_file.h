@@ -8,11 +8,12 @@
 #include <string_view>
 #include <vector>
 
-/// The one way to files that are read: reading from a pipe or a device may never end.
+/// All input files are opened through these functions: reading from a pipe or a device may never
+/// end.
 namespace synthetic_dataset::base {
 
-/// "; did you mean 'x'?" of a file's neighbours, for the end of a message about one that is not
-/// there, or nothing.
+/// "; did you mean 'x'?" for the end of a message about a missing file, where x is a file beside
+/// it, or "".
 [[nodiscard]] std::string didYouMeanFile(const std::filesystem::path& file);
 
 /// @throws Error "<file>: no such file ...", "<file>: is a folder; a file is needed", "<file>: is a
@@ -24,8 +25,8 @@ namespace synthetic_dataset::base {
 [[nodiscard]] std::string readInput(const std::filesystem::path& file);
 [[nodiscard]] std::vector<std::uint8_t> readInputBytes(const std::filesystem::path& file);
 
-/// Keeps which files its thread opens while it lives, those that cannot be opened too, and those
-/// that sandboxed processes open for it. Several may be nested.
+/// Records which files its thread opens during its lifetime, including those that cannot be opened
+/// and those that sandboxed processes open for it. Several may be nested.
 class InputWatch {
  public:
   InputWatch();
@@ -35,7 +36,7 @@ class InputWatch {
 
   [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
 
-  /// Has all watches of this thread keep a file.
+  /// Makes all watches of this thread record a file.
   static void note(const std::filesystem::path& file);
 
  private:
@@ -43,21 +44,21 @@ class InputWatch {
   InputWatch* outer_;
 };
 
-/// Why an existing path is not a file, "is a folder; a file is needed"; empty
-/// for a file, and for what is not there.
+/// Why an existing path is not a file, such as "is a folder; a file is needed"; empty for a file
+/// and for a path that does not exist.
 [[nodiscard]] std::string inputFault(const std::filesystem::path& file);
 
-/// Why a file that should be a text is none, by how it begins: "is compressed; `gunzip` unpacks
-/// it"; empty: it may be one.
-/// @param start  the first bytes, four at least where there are as many
+/// Why a file that should be a text is not one, judged by its first bytes: "is compressed; `gunzip`
+/// unpacks it"; empty if it may be one.
+/// @param start  the first bytes, at least four if the file has that many
 [[nodiscard]] std::string compressionFault(std::string_view start);
 
-/// The same, and "is UTF-16; ..." and "is no text file".
+/// compressionFault(), and also "is UTF-16; ..." and "is no text file".
 [[nodiscard]] std::string textFault(std::string_view bytes);
 
-/// Whether a message says that something is a pipe or a device: such a path is never left out, like
-/// a file that is missing, since something is wrong with the whole setup. (Messages of sandboxed
-/// processes are texts.)
+/// Whether a message says that something is a pipe or a device: such a path is never skipped as a
+/// missing file is, since something is wrong with the whole setup. (Sandboxed processes report
+/// errors only as text.)
 [[nodiscard]] bool isAboutPipe(std::string_view message);
 
 }  // namespace synthetic_dataset::base

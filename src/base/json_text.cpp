@@ -13,7 +13,7 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// RFC 8259, section 7.
+/// A JSON string (RFC 8259, section 7).
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -30,7 +30,7 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// With a point, without which YAML 1.1 takes 1e-05 for a text.
+/// A number with a decimal point, without which YAML 1.1 reads 1e-05 as a text.
 std::string numberText(double number) {
   if (std::isnan(number)) return ".nan";
   if (std::isinf(number)) return number < 0.0 ? "-.inf" : ".inf";

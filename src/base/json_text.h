@@ -6,18 +6,18 @@
 
 namespace synthetic_dataset::base {
 
-/// A value as JSON that parseYaml reads back; numbers that JSON has no words for (`.inf`, `.nan`)
-/// as YAML has them.
+/// A value as JSON that parseYaml reads back; numbers that JSON cannot express are written as in
+/// YAML (`.inf`, `.nan`).
 [[nodiscard]] std::string jsonText(const Value& value);
 
-/// The same for programs that take JSON alone: such numbers are texts (".inf"), and bytes that are
-/// no UTF-8 are U+FFFD. In one line.
+/// A value as strict JSON, in one line: numbers that JSON cannot express are texts (".inf"), and
+/// bytes that are not UTF-8 are written as asUtf8() does.
 [[nodiscard]] std::string strictJsonText(const Value& value);
 
 /// Reads JSON (RFC 8259). The texts ".inf", "-.inf" and ".nan" are numbers, as strictJsonText
 /// writes them.
 /// @param origin  for messages
-/// @throws Error when it is none, or nests too deep
+/// @throws Error if it is not JSON, or nested too deep
 [[nodiscard]] Value parseJson(const std::string& text, const std::string& origin);
 
 }  // namespace synthetic_dataset::base

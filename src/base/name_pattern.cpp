@@ -7,7 +7,7 @@ namespace synthetic_dataset::base {
 bool matchesPattern(const std::string& name, const std::string& pattern) {
   std::size_t at = 0;
   std::size_t in_pattern = 0;
-  std::size_t star = std::string::npos;  // the last one, and where its text ends so far
+  std::size_t star = std::string::npos;  // the last `*`, and where its text ends so far
   std::size_t star_end = 0;
   while (at < name.size()) {
     if (in_pattern < pattern.size() && pattern[in_pattern] == '*') {

@@ -4,7 +4,7 @@
 
 namespace synthetic_dataset::base {
 
-/// Whether a name fits a pattern, in which `*` stands for any text and `?` for any character.
+/// Whether a name matches a pattern, in which `*` stands for any text and `?` for any character.
 [[nodiscard]] bool matchesPattern(const std::string& name, const std::string& pattern);
 
 }  // namespace synthetic_dataset::base

@@ -3,17 +3,17 @@
 #include <cstddef>
 #include <string_view>
 
-/// One limit for all that nests in files: it is read by functions that call themselves, and what
-/// nests without end would end the program. tinyxml2 and newer releases of yaml-cpp have limits of
-/// their own, of 500, and say less about it. Without a source file, as plugins use it, too.
+/// One limit for everything that nests in files: recursive functions read it, and unlimited nesting
+/// would overflow the stack. tinyxml2 and newer releases of yaml-cpp have limits of their own, of
+/// 500, with less helpful messages. Header-only, as plugins use it, too.
 namespace synthetic_dataset::base {
 
 inline constexpr int kDeepestNesting = 400;
 
-/// What is wrong with a text for which one of these is true.
+/// The message about a text that nests deeper.
 inline constexpr const char* kNestedTooDeep = "nested deeper than 400 levels";
 
-/// Whether a JSON text nests too deep: its brackets outside of strings.
+/// Whether a JSON text nests too deep, counting brackets outside strings.
 [[nodiscard]] inline bool isDeepJson(std::string_view text) {
   int depth = 0;
   bool is_string = false;

@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::base {
 
-/// A pose to be interpolated: as the position and the turn of its frame.
+/// A pose to be interpolated, as the position and the rotation of its frame.
 struct Placement {
   Eigen::Vector3d position{0, 0, 0};
   Eigen::Quaternion<double, Eigen::DontAlign> turn{1, 0, 0, 0};
@@ -17,7 +17,7 @@ struct Placement {
   [[nodiscard]] Pose pose() const { return makePose(position, Eigen::Quaterniond(turn)); }
 };
 
-/// As tf2 interpolates: positions along a line, turns about one axis.
+/// Interpolates as tf2 does: positions along a line, rotations about one axis.
 [[nodiscard]] inline Placement between(const Placement& a, const Placement& b, double share) {
   if (share <= 0.0) return a;
   if (share >= 1.0) return b;

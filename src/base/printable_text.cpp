@@ -11,7 +11,8 @@ unsigned byteAt(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
 }
 
-/// How many bytes the character has that begins there; 0 where none does (RFC 3629, section 4).
+/// The number of bytes of the character that begins at a position; 0 if none does (RFC 3629,
+/// section 4).
 std::size_t lengthOfCharacter(std::string_view text, std::size_t at) {
   const unsigned first = byteAt(text, at);
   if (first < 0x80U) return 1;
@@ -28,14 +29,14 @@ std::size_t lengthOfCharacter(std::string_view text, std::size_t at) {
   return is_overlong || is_none ? 0 : length;
 }
 
-/// U+0000 to U+001F, U+007F to U+009F.
+/// U+0000 to U+001F except tab and line feed, U+007F to U+009F.
 bool isControl(std::string_view character) {
   const unsigned first = byteAt(character, 0);
   if (first == '\n' || first == '\t') return false;
   return first < 0x20U || first == 0x7FU || (first == 0xC2U && byteAt(character, 1) < 0xA0U);
 }
 
-/// @param isUnwanted  of a character: its bytes are escaped
+/// @param isUnwanted  whether the bytes of a character are escaped
 template <class Predicate>
 std::string escaped(std::string_view text, const Predicate& isUnwanted) {
   constexpr const char* kDigits = "0123456789abcdef";

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders below one another; rospack has the same bound.
+/// The greatest depth of nested folders; rospack has the same limit.
 constexpr int kDeepestFolder = 1000;
 
 bool isFile(const fs::path& path) {
@@ -75,7 +75,7 @@ std::string trimmedText(const tinyxml2::XMLElement* element) {
   return result;
 }
 
-/// Gathers packages, folder by folder.
+/// Collects packages, folder by folder.
 class Search {
  public:
   void look(const fs::path& folder, int depth) {
@@ -86,8 +86,8 @@ class Search {
       if (isFile(folder / manifest)) return read(folder, folder / manifest);
     }
     if (isFile(folder / "rospack_nosubdirs")) return;
-    if (!seen_.insert(fs::canonical(folder, error)).second) return;  // a link in a circle
-    std::set<fs::path> inner;  // sorted: the first of a name counts
+    if (!seen_.insert(fs::canonical(folder, error)).second) return;  // a circular link
+    std::set<fs::path> inner;  // sorted, as the first package of a name counts
     for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
       if (entry->path().filename().string().front() != '.') inner.insert(entry->path());
@@ -117,7 +117,7 @@ class Search {
       return;
     }
     if (kind != "package") {
-      if (manifest.filename() == "manifest.xml") return;  // a list of Gazebo's models, for one
+      if (manifest.filename() == "manifest.xml") return;  // for example, a list of Gazebo models
       found.broken.emplace_back(folder, manifest.string() + ": has no <package>");
       return;
     }

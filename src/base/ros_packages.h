@@ -19,14 +19,14 @@ struct RosPackage {
 };
 
 struct RosPackages {
-  std::vector<RosPackage> sound;  ///< of packages of one name the first that was found
+  std::vector<RosPackage> sound;  ///< for each name, the first package found
 
-  /// Packages whose package.xml cannot be read: their folders, and what is wrong.
+  /// Folders of packages whose package.xml cannot be read, and what is wrong.
   std::vector<std::pair<std::filesystem::path, std::string>> broken;
 };
 
-/// ROS_PACKAGE_PATH, then the folders `share` of AMENT_PREFIX_PATH, where packages of ROS 2 are,
-/// then /usr/share, where Debian's own are: its rospack always searches there last.
+/// ROS_PACKAGE_PATH, then the `share` folders of AMENT_PREFIX_PATH, where ROS 2 packages are, then
+/// /usr/share, where Debian's own are: its rospack always searches there last.
 [[nodiscard]] std::string rosPackagePath();
 
 /// The folders of the packages in an entry of a ROS_PACKAGE_PATH that is the `share` folder of an
@@ -35,12 +35,12 @@ struct RosPackages {
 [[nodiscard]] std::vector<std::filesystem::path> installedPackages(
     const std::filesystem::path& entry);
 
-/// The packages in and below the folders of a ROS_PACKAGE_PATH, in their order, found as rospack
-/// finds them: not within packages, folders that begin with a dot or that have a file
-/// CATKIN_IGNORE. rospack itself gives up all of them when it cannot read one.
+/// The packages in and below the folders of a ROS_PACKAGE_PATH, in order, found as rospack finds
+/// them: not within packages, folders that begin with a dot or folders with a file CATKIN_IGNORE.
+/// rospack itself gives up on all packages if it cannot read one.
 [[nodiscard]] RosPackages findRosPackages(const std::string& package_path);
 
-/// "; did you mean 'x'?" for a package that ROS does not know, or nothing. Looks at all packages.
+/// "; did you mean 'x'?" for a package that ROS does not know, or "". Searches all packages.
 [[nodiscard]] std::string didYouMeanPackage(const std::string& name);
 
 }  // namespace synthetic_dataset::base

@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::base {
 
-/// A length of time that the parameters give in seconds, to the nearest nanosecond.
+/// Converts a duration given in seconds by the parameters, rounded to the nearest nanosecond.
 [[nodiscard]] inline Duration fromSeconds(double seconds) {
   return Duration(static_cast<std::int64_t>(std::llround(seconds * 1e9)));
 }

@@ -11,7 +11,8 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// Of a file, whose name may hold what would end it. https://www.sqlite.org/uri.html, section 3.1
+/// The URI of a file; escapes what would end the path in it. https://www.sqlite.org/uri.html,
+/// section 3.1
 std::string uriOf(const std::string& file) {
   std::string uri = file.rfind('/', 0) == 0 ? "file://" : "file:";
   for (const char c : file) {
@@ -28,8 +29,8 @@ bool hasContent(const std::string& file) {
 
 }  // namespace
 
-/// Where a statement outlives its database, it takes the connection with it. sqlite3_close would
-/// leave both. https://www.sqlite.org/c3ref/close.html
+/// If a statement outlives its database, the connection is closed with the statement.
+/// sqlite3_close would leak both. https://www.sqlite.org/c3ref/close.html
 void SqliteConnection::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
 SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)
@@ -43,7 +44,7 @@ SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)
                     : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                                             : SQLITE_OPEN_READWRITE;
   open(file, flags);
-  // Where a file cannot be written, SQLite opens it to be read alone, whatever it is asked for.
+  // SQLite opens a file that cannot be written read-only, whatever the flags.
   if (sqlite3_db_readonly(handle(), "main") == 1) readWhereNobodyCanWrite();
   if (mode == Mode::kExisting) requireTablesOnly();
 }
@@ -51,23 +52,24 @@ SqliteDatabase::SqliteDatabase(const std::string& file, Mode mode)
 void SqliteDatabase::open(const std::string& name, int flags) {
   sqlite3* handle = nullptr;
   const int result = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
-  connection_->handle.reset(handle);  // there is one even after a failure, for the message
+  connection_->handle.reset(handle);  // set even after a failure, for the message
   if (result != SQLITE_OK) fail();
 }
 
-/// A database with a write-ahead log needs files beside it to be read, even where there is nothing
-/// in the log. On a disk that cannot be written to nobody changes it meanwhile, and it can do
-/// without. https://www.sqlite.org/wal.html, section 5
+/// To read a database in write-ahead log mode, SQLite needs files beside it, even if the log is
+/// empty. On a read-only disk nobody can change the database meanwhile, so that it can be read
+/// without them. https://www.sqlite.org/wal.html, section 5
 void SqliteDatabase::readWhereNobodyCanWrite() {
   const int result =
       sqlite3_exec(handle(), "SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
   const bool has_log = access((connection_->file + "-wal").c_str(), F_OK) == 0;
-  if (result != SQLITE_CANTOPEN || has_log) return;  // any other fault is reported where it matters
+  if (result != SQLITE_CANTOPEN || has_log) return;  // other faults are reported where they matter
   open(uriOf(connection_->file) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
-/// A write-ahead log beside it is read, with its index in memory and without locks, which need a
-/// file each. https://www.sqlite.org/wal.html, section 8; https://www.sqlite.org/vfs.html
+/// Reads a write-ahead log beside the file, too, with its index in memory and without locks, as
+/// each of these would need a file. https://www.sqlite.org/wal.html, section 8;
+/// https://www.sqlite.org/vfs.html
 void SqliteDatabase::openForeign() {
   const std::string& file = connection_->file;
   constexpr int kLongest = 1 << 30;  // [byte] of a value
@@ -84,7 +86,7 @@ void SqliteDatabase::openForeign() {
   requireTablesOnly();
 }
 
-/// A file of somebody else's may call a view what should be a table, which never ends.
+/// Somebody else's file may contain a never-ending view in place of a table.
 /// https://www.sqlite.org/security.html, section 1.2
 void SqliteDatabase::requireTablesOnly() const {
   execute("PRAGMA busy_timeout = 20000");  // [ms]: another program may be reading or writing it
@@ -129,7 +131,7 @@ std::optional<std::string> SqliteStatement::runWithRow(const SqliteStatement& ro
   if (result == SQLITE_DONE) return std::nullopt;
   if (result != SQLITE_CONSTRAINT) database_->fail();
   const std::string broken = sqlite3_errmsg(database_->handle.get());
-  const std::string of_check = "CHECK constraint failed: ";  // and then its name
+  const std::string of_check = "CHECK constraint failed: ";  // followed by its name
   return broken.rfind(of_check, 0) == 0 ? broken.substr(of_check.size()) : broken;
 }
 
@@ -159,7 +161,7 @@ bool SqliteStatement::isNull(int column) const {
 }
 
 std::string SqliteStatement::text(int column) const {
-  // First the text, then its length: SQLite may convert the value for the former.
+  // The text must be read before its length, as SQLite may convert the value for it.
   const unsigned char* bytes = sqlite3_column_text(handle_.get(), column);
   const int size = sqlite3_column_bytes(handle_.get(), column);
   return bytes == nullptr ? std::string() : std::string(bytes, bytes + size);
@@ -209,7 +211,7 @@ SqliteTransaction::SqliteTransaction(const SqliteDatabase& database) : database_
 }
 
 SqliteTransaction::~SqliteTransaction() {
-  // Whatever keeps SQLite from rolling back now, it does so when it next opens the file.
+  // If SQLite cannot roll back now, it will when it next opens the file.
   if (open_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 

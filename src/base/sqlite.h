@@ -11,13 +11,13 @@ struct sqlite3_stmt;
 
 namespace synthetic_dataset::base {
 
-/// What statements need of their database, at a place of its own: they outlive that it is moved.
+/// What statements need of their database, at a stable address: they stay valid if it is moved.
 struct SqliteConnection {
   struct Close {
     void operator()(sqlite3* handle) const;
   };
 
-  /// Throws what SQLite says about its last failure.
+  /// Throws SQLite's message about its last failure.
   [[noreturn]] void fail() const;
 
   std::string file;
@@ -29,9 +29,9 @@ class SqliteDatabase {
  public:
   enum class Mode {
     kCreate,
-    kExisting,  ///< with plain tables alone
+    kExisting,  ///< with only plain tables
     kReadOnly,
-    kForeign,  ///< somebody else's, with plain tables alone: no file is changed or made beside it
+    kForeign,  ///< somebody else's, with only plain tables: no file is changed or made beside it
   };
 
   /// @throws Error naming the file, also in every other method and in SqliteStatement
@@ -46,7 +46,7 @@ class SqliteDatabase {
   [[nodiscard]] const SqliteConnection& connection() const { return *connection_; }
 
  private:
-  /// @throws Error for a file that has anything else
+  /// @throws Error for a file that contains anything else
   void requireTablesOnly() const;
   void open(const std::string& name, int flags);
   void readWhereNobodyCanWrite();
@@ -55,7 +55,7 @@ class SqliteDatabase {
   std::unique_ptr<SqliteConnection> connection_;
 };
 
-/// Bytes that are no text.
+/// Bytes that are not text.
 struct Blob {
   std::string bytes;
 };
@@ -65,7 +65,7 @@ class SqliteStatement {
  public:
   SqliteStatement(const SqliteDatabase& database, const std::string& sql);
 
-  /// Starts again with these values for the statement's `?`, in order.
+  /// Restarts the statement with these values for its `?`, in order.
   template <class... Values>
   void start(const Values&... values) {
     reset();
@@ -73,7 +73,7 @@ class SqliteStatement {
     (bind(++index, values), ...);
   }
 
-  /// start() and run to the end, for statements without results.
+  /// Starts the statement and runs it to the end, for statements without results.
   template <class... Values>
   void run(const Values&... values) {
     start(values...);
@@ -82,12 +82,12 @@ class SqliteStatement {
     reset();
   }
 
-  /// run() with the values of another statement's row, from a column of it on.
-  /// @return the constraint that keeps them out of their table; nothing where they are in it
+  /// Runs the statement with the values of another statement's current row, from a column on.
+  /// @return the constraint that the values violate; nullopt if they were inserted
   [[nodiscard]] std::optional<std::string> runWithRow(const SqliteStatement& row, int first_column);
 
-  /// Goes on to the next row of the result.
-  /// @returns false when there is none
+  /// Advances to the next row of the result.
+  /// @returns false if there is none
   bool step();
 
   void reset();
@@ -121,11 +121,11 @@ class SqliteStatement {
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
-/// The first column of all rows that a query finds.
+/// The first column of all rows that a query returns.
 [[nodiscard]] std::vector<std::string> textsOf(const SqliteDatabase& database,
                                                const std::string& sql);
 
-/// Changes that are made together or, unless they are committed, not at all.
+/// Changes that are made together or, unless committed, not at all.
 class SqliteTransaction {
  public:
   explicit SqliteTransaction(const SqliteDatabase& database);
@@ -136,7 +136,7 @@ class SqliteTransaction {
   void commit();
 
  private:
-  const SqliteDatabase& database_;  ///< which is not moved meanwhile
+  const SqliteDatabase& database_;  ///< must not be moved meanwhile
   bool open_ = true;
 };
 

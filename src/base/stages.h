@@ -6,10 +6,10 @@
 
 namespace synthetic_dataset::base {
 
-/// Called when a step begins that may take long, with what it does: "reading the world 'a.world'".
+/// Called when a potentially long step begins, with what it does: "reading the world 'a.world'".
 using OnStage = std::function<void(const std::string& stage)>;
 
-/// What a call of OnStage may throw to break off what takes long. It is no Error: nothing is wrong.
+/// What a call of OnStage may throw to abort a long step. It is not an Error: nothing is wrong.
 class Interrupted : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "broken off"; }

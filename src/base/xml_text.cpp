@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kMostAttributes = 1000;
 
-/// Walks over a text as tinyxml2 does, and counts the attributes of each element.
+/// Scans a text as tinyxml2 does, and counts the attributes of each element.
 class AttributeCounter {
  public:
   explicit AttributeCounter(std::string_view text) : text_(text) {}
 
-  /// The line of the first element that has too many, from 1; 0 where none has.
+  /// The line of the first element that has too many attributes, from 1; 0 if none has.
   int lineWithTooMany() {
     for (at_ = text_.find('<'); at_ < text_.size(); at_ = text_.find('<', at_)) {
       const std::size_t begin = at_;
@@ -39,7 +39,7 @@ class AttributeCounter {
     return true;
   }
 
-  /// Of the element that begins here; goes on behind it.
+  /// Counts the attributes of the element that begins at the current position; moves to its end.
   int attributes() {
     int count = 0;
     for (++at_; at_ < text_.size() && text_[at_] != '>'; ++at_) {
@@ -55,12 +55,13 @@ class AttributeCounter {
   std::size_t at_ = 0;
 };
 
-/// A document type, with the texts that it gives names ("entities"), as tinyxml2 knows none: those
-/// of the text itself are put in, each once, so that a text grows by no more than it says.
+/// A document type declaration and its entities, which tinyxml2 does not support: those in the text
+/// itself are expanded, but not entities inside them, so that nested ones cannot grow
+/// exponentially.
 class DocumentType {
  public:
   explicit DocumentType(const std::string& text) : text_(text), begin_(text.find('<')) {
-    // Only declarations and comments stand before the root element.
+    // Only declarations and comments precede the root element.
     while (begin_ < text.size() && text.compare(begin_, kKeyword.size(), kKeyword) != 0) {
       const char next = begin_ + 1 < text.size() ? text[begin_ + 1] : '\0';
       const bool is_before_root = next == '?' || next == '!';
@@ -70,7 +71,7 @@ class DocumentType {
 
   [[nodiscard]] bool isThere() const { return begin_ < text_.size(); }
 
-  /// The text without it; lines keep their numbers.
+  /// The text without the declaration and with its entities expanded; lines keep their numbers.
   [[nodiscard]] std::string taken() {
     const std::size_t end = findEnd();
     std::string result = text_;
@@ -87,7 +88,7 @@ class DocumentType {
       if (entity == entities_.end()) continue;
       result.replace(at, last + 1 - at, entity->second);
       at += entity->second.size() - (entity->second.empty() ? 0 : 1);
-      if (result.size() > kMostGrowth + text_.size()) return text_;  // which is refused then
+      if (result.size() > kMostGrowth + text_.size()) return text_;  // which is then refused
     }
     return result;
   }
@@ -96,7 +97,7 @@ class DocumentType {
   static constexpr std::string_view kKeyword = "<!DOCTYPE";
   static constexpr std::size_t kMostGrowth = 10000000;  // [byte]
 
-  /// Behind the `>` that is in no brackets and no quotes.
+  /// The position after the first `>` that is not in brackets or quotes.
   [[nodiscard]] std::size_t findEnd() const {
     int depth = 0;
     for (std::size_t i = begin_; i < text_.size(); ++i) {
@@ -114,7 +115,7 @@ class DocumentType {
     return text_.size();
   }
 
-  /// `<!ENTITY name "text">`; those in other files are left alone.
+  /// Reads `<!ENTITY name "text">`; entities in other files are ignored.
   void readEntities(const std::string& type) {
     const std::string keyword = "<!ENTITY";
     for (std::size_t at = type.find(keyword); at != std::string::npos;

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// std::regex goes one call deeper for each character, and no number of use is longer.
+/// std::regex recurses for each character, and no useful number is longer.
 constexpr std::size_t kLongestNumber = 400;
 
 bool matches(const std::string& text, const std::regex& pattern) {
@@ -27,7 +27,7 @@ bool takeMinus(std::string& text) {
   return negative;
 }
 
-/// 1:30 is 1 * 60 + 30. Nothing where no std::int64_t holds it.
+/// 1:30 is 1 * 60 + 30. nullopt if it does not fit into std::int64_t.
 std::optional<std::int64_t> fromBase60(const std::string& text) {
   std::istringstream stream(text);
   std::int64_t number = 0;
@@ -111,7 +111,7 @@ std::optional<double> decimalNumber(const std::string& text) {
   double number = 0.0;
   stream >> number;
   if (!stream.fail()) return number;
-  // Too large: the stream answers the largest number that there is, Python infinity.
+  // Too large: the stream returns the largest double, Python infinity.
   const double infinity = std::numeric_limits<double>::infinity();
   return number < 0.0 ? -infinity : infinity;
 }
@@ -125,8 +125,7 @@ bool isTimestamp(const std::string& text) {
 }
 
 Value plainScalar(const std::string& text) {
-  // No number is written longer; std::regex (libstdc++) calls itself for each letter that it
-  // matches.
+  // No number is longer; std::regex (libstdc++) recurses for each character that it matches.
   constexpr std::size_t kLongestNumber = 400;
   if (text.size() > kLongestNumber) return text;
   if (const auto value = asBool(text)) return *value;

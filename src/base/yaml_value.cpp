@@ -20,8 +20,8 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// How many values and letters a text may grow to by its aliases, which multiply: this many times
-/// its own length, but a short one to this much.
+/// How many values and characters a text may grow to through its aliases, which multiply: this many
+/// times its own length, but at least kSmallContent.
 constexpr std::size_t kMostGrowth = 16;
 constexpr std::size_t kSmallContent = 1U << 20U;
 
@@ -29,7 +29,7 @@ const std::string kYamlTag = "tag:yaml.org,2002:";
 
 enum class Rules { kAnyFile, kSettings };
 
-/// yaml-cpp marks what is in quotes by "!" and what has no tag by "?".
+/// yaml-cpp marks quoted text with "!" and untagged values with "?".
 bool isUntagged(const YAML::Node& node) { return node.Tag().empty() || node.Tag() == "?"; }
 
 bool isMergeKey(const YAML::Node& key) {
@@ -102,14 +102,14 @@ class Reader {
     return map;
   }
 
-  /// Collections of other kinds (sets, objects) are passed over where the file is not for settings.
+  /// In files other than settings, tags of other collections (sets, objects) are ignored.
   void checkTag(const YAML::Node& node, const std::string& kind) const {
     if (rules_ == Rules::kAnyFile || isUntagged(node) || node.Tag() == "!") return;
     if (node.Tag() != kYamlTag + kind) failForTag(node);
   }
 
-  /// A map's entries in order, those that `<<` merges before its own, as these count then
-  /// (https://yaml.org/type/merge.html).
+  /// A map's entries in order: those that `<<` merges come before its own, so that its own override
+  /// them (https://yaml.org/type/merge.html).
   std::vector<Entry> entries(const YAML::Node& map, int depth) {
     checkSize(map, depth);
     std::vector<Entry> merged;
@@ -140,7 +140,7 @@ class Reader {
     }
   }
 
-  /// In a list of maps, the first that has a name counts.
+  /// If several maps in a list have the same name, the first one counts.
   void merge(const YAML::Node& source, int depth, std::vector<Entry>& merged) {
     std::vector<YAML::Node> maps;
     if (source.IsMap()) maps.push_back(source);
@@ -204,7 +204,7 @@ class Reader {
     failForTag(node);
   }
 
-  /// @param unit  degrees or radians, which read what stands between the parentheses, if any
+  /// @param unit  degrees or radians, which read the text between the parentheses, if there are any
   [[nodiscard]] double angle(const YAML::Node& node, double (*unit)(const std::string&)) const {
     std::string text = node.Scalar();
     const std::string start = unit == degrees ? "deg(" : "rad(";
@@ -232,14 +232,14 @@ class Reader {
   std::size_t content_left_;
 };
 
-/// yaml-cpp lets the end of a file close a quote that is open, but not the end of a document.
+/// yaml-cpp lets the end of a file close an open quote, but not the end of a document.
 std::string withEndMark(const std::string& text) {
   const bool is_at_line_start = text.empty() || text.back() == '\n';
   return is_at_line_start ? text + "...\n" : text;
 }
 
-/// Remembers where the document that was parsed last begins, and ends the parsing of one that nests
-/// too deep.
+/// Remembers where the last parsed document begins, and aborts the parsing of one that nests too
+/// deep.
 class DocumentStart : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark& place) override { mark = place; }
@@ -269,9 +269,9 @@ class DocumentStart : public YAML::EventHandler {
   int depth_ = 0;
 };
 
-/// Where the first document is over and another one begins. (YAML::LoadAll never comes to an end
-/// with a stray ',' or '}', of which it makes one empty document after another.)
-/// @throws YAML::Exception where the first one cannot be read, or nests too deep for YAML::Load
+/// Where a second document begins, if there is one. (YAML::LoadAll never returns for a stray ',' or
+/// '}', from which it makes one empty document after another.)
+/// @throws YAML::Exception if the first one cannot be read, or nests too deep for YAML::Load
 std::optional<YAML::Mark> secondDocument(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -280,8 +280,8 @@ std::optional<YAML::Mark> secondDocument(const std::string& text) {
   return start.mark;
 }
 
-/// The number of the first line whose indentation has a tab, from 1; 0 without one. YAML forbids
-/// them (https://yaml.org/spec/1.1/#id871998), and its parsers stumble somewhere behind them.
+/// The number of the first line with a tab in its indentation, from 1; 0 if there is none. YAML
+/// forbids them (https://yaml.org/spec/1.1/#id871998), and parsers fail somewhere after them.
 int lineWithTab(const std::string& text) {
   std::istringstream lines(text);
   int number = 0;

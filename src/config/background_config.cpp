@@ -20,7 +20,8 @@ const std::vector<std::string>& entryNames() {
   return kNames;
 }
 
-/// Whether it has entries of its own, or such as are misspelt; else it is a distribution.
+/// Whether it is a group with entries of a background, possibly misspelt; else it is a
+/// distribution.
 bool isGroup(const std::optional<Value>& background) {
   const auto* map = background ? background->as<Value::Map>() : nullptr;
   if (map == nullptr) return false;

@@ -99,7 +99,7 @@ void readEffects(Parameters group, scene::CameraOptions& camera) {
   camera.noise_stddev = group.maybeBetween("noise_stddev", 0.0, 1.0);
 }
 
-/// What is not set is as the world has it of a camera of its own.
+/// Reads `near` and `far`; for a camera of the world, those not set are the world's.
 void readRange(Parameters& group, scene::CameraOptions& camera) {
   constexpr double kNear = 0.05;   // [m]
   constexpr double kFar = 1000.0;  // [m]
@@ -110,7 +110,8 @@ void readRange(Parameters& group, scene::CameraOptions& camera) {
   }
 }
 
-/// The recorded pictures, and how their clock, frame and lens differ from what is recorded.
+/// Reads the topic of recorded pictures, and how their clock, frame and lens differ from what is
+/// recorded.
 void readTwin(Parameters& group, scene::CameraOptions& camera) {
   constexpr double kLongestOffset = 10.0;  // [s]
   camera.image_topic = group.maybe<std::string>("image_topic");
@@ -132,7 +133,7 @@ void readTwin(Parameters& group, scene::CameraOptions& camera) {
   }
 }
 
-/// The members that a camera has whether it is the only one or not.
+/// Reads the settings that a camera has whether it is the only one or not.
 scene::CameraOptions readCamera(Parameters group, const std::string& name,
                                 std::optional<std::string> frame) {
   scene::CameraOptions camera;
@@ -237,7 +238,7 @@ std::vector<scene::CameraOptions> readCameras(Parameters root) {
   if (all.names().empty()) {
     root.addError("cameras", "found no camera; it should be a group with a group for each camera");
   }
-  if (cameras.empty()) cameras.emplace_back();  // what is wrong is noted
+  if (cameras.empty()) cameras.emplace_back();  // the error is already noted
   return cameras;
 }
 

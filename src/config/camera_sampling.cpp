@@ -10,7 +10,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// A distribution that has a default.
+/// Reads a distribution that has a default.
 void read(Parameters& group, const std::string& name, const DistributionRange& range,
           base::Distribution& value) {
   if (auto given = maybeDistribution(group, name, range)) value = std::move(*given);
@@ -62,9 +62,9 @@ std::optional<randomize::CameraSampling> readCameraSampling(Parameters camera) {
   Parameters group = camera.group("sample");
   randomize::CameraSampling sampling;
   readAim(group, sampling);
-  sampling.is_in_sizes = choice<bool>(group, "unit", {{"metres", false}, {"sizes", true}});
+  sampling.is_relative_to_size = choice<bool>(group, "unit", {{"metres", false}, {"sizes", true}});
   readPlace(group, sampling);
-  if (sampling.is_in_sizes && (sampling.look_at_point_G || sampling.position_G)) {
+  if (sampling.is_relative_to_size && (sampling.look_at_point_G || sampling.position_G)) {
     group.addError("unit",
                    "found sizes beside a point to look at or a position, which have none; it "
                    "should be metres, or be left out");

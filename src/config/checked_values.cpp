@@ -15,7 +15,8 @@ bool isControl(char character) {
   return code < 0x20U || code == 0x7FU;
 }
 
-/// The bytes of a UTF-8 character by its first one (RFC 3629, section 4), 0 where it is none.
+/// The number of bytes of a UTF-8 character, by its first byte (RFC 3629, section 4); 0 if that is
+/// invalid.
 std::size_t lengthOf(unsigned char first) {
   if (first < 0x80U) return 1;
   if (first >= 0xC2U && first < 0xE0U) return 2;
@@ -23,8 +24,8 @@ std::size_t lengthOf(unsigned char first) {
   return first >= 0xF0U && first < 0xF5U ? 4 : 0;
 }
 
-/// Whether the second byte keeps the first's character from being too long, a surrogate or beyond
-/// the last one there is.
+/// Whether a character with these first two bytes is neither overlong, nor a surrogate, nor beyond
+/// the last code point.
 bool isSecond(unsigned char first, unsigned char second) {
   if (first == 0xE0U) return second >= 0xA0U;
   if (first == 0xEDU) return second < 0xA0U;

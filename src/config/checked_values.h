@@ -8,35 +8,35 @@
 
 #include "synthetic_dataset/parameters.h"
 
-/// What the readers of several groups of parameters share.
+/// Helpers that several parameter readers share.
 namespace synthetic_dataset::config {
 
-/// A number that has to lie above a limit; otherwise that is noted, and the fallback taken.
+/// A number that has to be above a limit; otherwise an error is noted and the fallback returned.
 [[nodiscard]] double numberAbove(Parameters& group, const std::string& name, double fallback,
                                  double limit);
 
-/// How many scenes there are to be, 1 to 100000000: their files' names have eight digits. Nothing
-/// where it is not there or wrong, which is noted.
+/// The number of scenes to make, 1 to 100000000, as their files' names have eight digits. nullopt
+/// if it is missing or wrong; the latter is noted.
 [[nodiscard]] std::optional<std::int64_t> maybeSceneCount(Parameters& group,
                                                           const std::string& name);
 
 /// A length of time in seconds, at most about 30 years, so that nanoseconds stay in range.
 [[nodiscard]] std::optional<double> maybeSeconds(Parameters& group, const std::string& name);
 
-/// Notes each of these that is given, as it would do nothing, which nobody expects: it "has a
-/// meaning with `needed` alone", such as "mode: drop".
+/// Notes an error for each of these that is given, as it would unexpectedly have no effect: it "has
+/// a meaning with `needed` alone", where `needed` is, for example, "mode: drop".
 void refuseWithout(Parameters& group, const std::vector<std::string>& names,
                    const std::string& needed);
 
 /// Whether the parameter is a list without entries.
 [[nodiscard]] bool isEmptyList(Parameters& group, const std::string& name);
 
-/// A list of names or whole numbers, or one of them alone, as texts; an empty one is noted.
+/// A list of names or whole numbers, or a single one, as texts; an empty list is noted.
 /// @param of  what they name, for the message
 [[nodiscard]] std::vector<std::string> readNames(Parameters& group, const std::string& name,
                                                  const std::string& of);
 
-/// Absolute, with a leading `~/` taken as the user's home; nothing stays nothing.
+/// The absolute path, with a leading `~/` replaced by the user's home; an empty one stays empty.
 [[nodiscard]] std::string absolutePath(const std::string& path);
 
 /// An absolute path that ends in `/`.
@@ -48,11 +48,11 @@ void refuseWithout(Parameters& group, const std::vector<std::string>& names,
 /// A path made absolute; a URI as it is.
 [[nodiscard]] std::string pathOrUri(const std::string& text);
 
-/// What keeps a text from being a name that stands in label files of all formats: "found a text
-/// that <this>", or nothing. Such names are of one line of UTF-8, and may hold anything else.
+/// Why a text cannot be a name in the label files of all formats, as in "found a text that <this>";
+/// nullopt if it can. Such a name is one line of UTF-8 without control characters.
 [[nodiscard]] std::optional<std::string> nameProblem(const std::string& text);
 
-/// One of some words; nothing where it is left out or wrong, which is noted.
+/// One of several words; nullopt if it is left out or wrong; the latter is noted.
 template <class Choice>
 std::optional<Choice> maybeChoice(Parameters& group, const std::string& name,
                                   const std::vector<std::pair<std::string, Choice>>& choices) {
@@ -65,7 +65,7 @@ std::optional<Choice> maybeChoice(Parameters& group, const std::string& name,
   return std::nullopt;
 }
 
-/// The same; the first where it is left out or wrong.
+/// The same, but the first word if it is left out or wrong.
 template <class Choice>
 Choice choice(Parameters& group, const std::string& name,
               const std::vector<std::pair<std::string, Choice>>& choices) {
@@ -73,7 +73,7 @@ Choice choice(Parameters& group, const std::string& name,
   return maybeChoice(group, name, choices).value_or(choices.front().second);
 }
 
-/// The same, and the default is listed among those that were taken.
+/// The same, but a default is also listed among the defaults taken.
 template <class Choice>
 Choice listedChoice(Parameters& group, const std::string& name,
                     const std::vector<std::pair<std::string, Choice>>& choices) {

@@ -14,7 +14,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// Scenes keep their order: physics goes forward only.
+/// Checks that scenes keep their order, as physics only moves forward.
 void checkJitter(Parameters& root, const motion::MotionOptions& motion,
                  const randomize::Randomization& randomization) {
   if (!randomization.time_jitter) return;
@@ -24,7 +24,7 @@ void checkJitter(Parameters& root, const motion::MotionOptions& motion,
                    "has a meaning with motion: bag alone; what is placed at random stands still");
     return;
   }
-  constexpr double kRounding = 3e-9;  // [s] periods and times are whole nanoseconds
+  constexpr double kRounding = 3e-9;  // [s]; periods and times are whole nanoseconds
   const double earliest = randomization.time_jitter->lowest();
   const double latest = randomization.time_jitter->highest();
   const double period = 1.0 / motion.rate;
@@ -67,14 +67,14 @@ WorldConfig readWorld(Parameters& root) {
 
 world::PhysicsOptions readPhysics(Parameters group, const scene::SceneOptions& scenes) {
   world::PhysicsOptions physics;
-  constexpr double kLongestStep = 0.1;  // [s]: beyond it things fall through floors
+  constexpr double kLongestStep = 0.1;  // [s]; with longer steps, things fall through floors
   double step = numberAbove(group, "step", toSeconds(physics.step), 1e-5);
   if (step > kLongestStep) {
     group.addError("step", "found " + Value(step).text() + " s; it should be at most 0.1");
     step = kLongestStep;
   }
   physics.step = base::fromSeconds(step);
-  constexpr double kDeepest = 1.0;  // [m]; more is meant in another unit
+  constexpr double kDeepest = 1.0;  // [m]; anything larger was meant in another unit
   physics.contact_tolerance =
       group.optionalBetween("contact_tolerance", physics.contact_tolerance, 0.0, kDeepest);
   physics.drops_objects =
@@ -85,7 +85,7 @@ world::PhysicsOptions readPhysics(Parameters group, const scene::SceneOptions& s
   return physics;
 }
 
-/// Scenes that stand alone are of a world that has come to rest; a recording begins as it is.
+/// Placed scenes show a world that has come to rest; a recording starts without settling.
 Duration readSettling(Parameters& physics, bool is_placed) {
   constexpr double kUntilRest = 10.0;  // [s] at most
   return base::fromSeconds(maybeSeconds(physics, "settle").value_or(is_placed ? kUntilRest : 0.0));
@@ -116,7 +116,7 @@ render::RenderOptions readRendering(Parameters& root) {
   return rendering;
 }
 
-/// Whether a group looks like the block of an object or a writer that this run leaves out.
+/// Whether a group looks like that of an object or a writer that this run does not use.
 bool isUnusedBlock(const Value& value) {
   const auto* map = value.as<Value::Map>();
   if (map == nullptr) return false;
@@ -124,7 +124,7 @@ bool isUnusedBlock(const Value& value) {
   return holds("output_folder") || (holds("class") && holds("id"));
 }
 
-/// An instance map has 16 bits for an object's index.
+/// Checks that objects' indices fit into the 16 bits of an instance map.
 void checkObjectCount(Parameters& root, std::size_t count) {
   constexpr std::size_t kMostObjects = 65535;
   if (count <= kMostObjects) return;
@@ -176,7 +176,7 @@ Config readConfig(Parameters root) {
   return config;
 }
 
-bool hasOldForm(const Value& settings) {
+bool isNnDataCollectionFile(const Value& settings) {
   const auto* map = settings.as<Value::Map>();
   if (map == nullptr || map->count("writers") != 0) return false;
   const std::array<const char*, 3> writers = {"yolo", "stvnet", "bounding_shape"};
@@ -190,7 +190,7 @@ bool hasOldForm(const Value& settings) {
 
 namespace {
 
-/// "; did you mean camera/effects/blur?" for `blur`, or nothing where too many groups have it.
+/// "; did you mean camera/effects/blur?" for `blur`, or "" if no group or too many groups have it.
 std::string inOtherGroups(const Parameters& root, const std::string& name) {
   constexpr std::size_t kMost = 3;
   const std::vector<std::string> known = root.knownElsewhere(name);
@@ -204,7 +204,7 @@ std::string inOtherGroups(const Parameters& root, const std::string& name) {
 
 std::vector<std::string> unknownParameterErrors(Parameters root,
                                                 const std::vector<std::string>& names) {
-  constexpr std::size_t kMostListed = 100;  // to find what each is near to takes time
+  constexpr std::size_t kMostListed = 100;  // searching for similar names takes time
   // Asking whether a block is unused makes it known, so the suggestions come first.
   std::vector<std::pair<std::string, std::string>> found;
   for (const std::string& name : names) {

@@ -24,14 +24,14 @@ struct WorldConfig {
 
 enum class SplitBy {
   kBlocks,          ///< the first scenes, those after them, the last
-  kScenes,          ///< drawn at random
-  kBalancedBlocks,  ///< those of a recording that have labels of each class, as far as there are
+  kScenes,          ///< assigned at random
+  kBalancedBlocks,  ///< blocks of a recording such that each split has each class, if possible
 };
 
 struct SplitConfig {
   std::vector<std::pair<std::string, double>> shares;  ///< name, share > 0; empty: no splits
   SplitBy by = SplitBy::kBlocks;
-  double gap = 0.0;  ///< of a recording, left out between blocks [s]
+  double gap = 0.0;  ///< time of a recording left out between blocks [s]
 };
 
 struct ClassConfig {
@@ -39,7 +39,7 @@ struct ClassConfig {
   std::string name;
 };
 
-/// All settings that hold for a motion, and for the dataset that it is part of.
+/// All settings that apply to a motion, and to the dataset that it is part of.
 struct Config : scene::SceneOptions {
   WorldConfig world;
   std::vector<ClassConfig> classes;  ///< in the order of their numbers
@@ -48,22 +48,22 @@ struct Config : scene::SceneOptions {
   world::PhysicsOptions physics;
   render::RenderOptions rendering;
   output::StoreOptions output;
-  int processes = 1;                   ///< that make the scenes; 1 where there is a shard
-  std::set<std::int64_t> only_scenes;  ///< by the numbers in their files' names; empty: all
+  int processes = 1;                   ///< number of processes that make scenes; 1 for a shard
+  std::set<std::int64_t> only_scenes;  ///< by the numbers in file names; empty: all
   std::vector<output::WriterOptions> writers;
 };
 
-/// Reads all settings. What is wrong is noted in `root`, with a harmless value in its place.
+/// Reads all settings. Errors are noted in `root`, and a harmless value is used instead.
 [[nodiscard]] Config readConfig(Parameters root);
 
-/// Whether settings are a parameter file of nn_data_collection, perhaps with what it needs here:
-/// they have its writers' groups, and no `writers`. What it has besides was never read, and no
-/// error there.
-[[nodiscard]] bool hasOldForm(const Value& settings);
+/// Whether settings are a parameter file of nn_data_collection, possibly with additions for this
+/// software: they have groups of its writers, and no `writers`. nn_data_collection ignored other
+/// settings in such a file, so they are not errors.
+[[nodiscard]] bool isNnDataCollectionFile(const Value& settings);
 
-/// One error for each parameter that nobody reads, with the name that it may have meant. Ask when
-/// the writers have read theirs. Blocks of objects and writers that this run does not use are no
-/// error: the original's users keep them in their files.
+/// One error for each parameter that nothing reads, with the name that may have been meant. Call it
+/// after the writers have read theirs. Groups of objects and writers that this run does not use are
+/// not errors: users of nn_data_collection keep them in their files.
 /// @param names  which of the root's unknownNames() are reported
 [[nodiscard]] std::vector<std::string> unknownParameterErrors(
     Parameters root, const std::vector<std::string>& names);

@@ -12,7 +12,7 @@ render::DepthNoise readDepthNoise(Parameters& camera) {
   Parameters group = camera.group("depth_noise");
   const std::string model = group.requiredChoice("model", {"none", "structured_light", "stereo"});
   if (model != "structured_light" && model != "stereo") {
-    // What else is set is not used, so that `none` switches noise off.
+    // Other settings are ignored, so that `none` switches noise off.
     for (const char* name :
          {"baseline", "disparity_step", "disparity_noise", "max_angle", "min_depth", "max_depth"}) {
       group.ignore(name);

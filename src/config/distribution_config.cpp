@@ -14,7 +14,7 @@ namespace {
 using base::Distribution;
 using Numbers = Distribution::Numbers;
 
-/// A kind of distribution, and what may stand beside it in its group.
+/// A kind of distribution, and the entries that may accompany it in its group.
 struct DistributionKind {
   std::string name;
   std::vector<std::string> beside = {};
@@ -42,7 +42,7 @@ bool isAmong(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What the weights of so many choices should be, where they are not.
+/// What the weights of `count` choices should be; nullopt if they are right.
 std::optional<std::string> weightProblem(const std::optional<std::vector<double>>& weights,
                                          std::size_t count) {
   if (!weights || weights->size() != count) {
@@ -61,15 +61,15 @@ std::string namesOf(const std::vector<DistributionKind>& kinds) {
   return listed(nameList(kinds), "or");
 }
 
-/// As messages show a value: long lists would hide what they have to say.
+/// A value as shown in messages: shortened, as a long list would hide the rest of the message.
 std::string shortText(const Value& value) {
   constexpr std::size_t kLongest = 80;
   const std::string text = value.text();
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
-/// A number, or a list of them, as Parameters reads them: whole ones will do, and texts such as
-/// 1e-05. Nothing for anything else.
+/// A number, or a list of numbers, as read by Parameters: also integers, and texts such as 1e-05.
+/// nullopt for anything else.
 std::optional<double> numberIn(const Value& value) {
   return Parameters(Value::Map{{"number", value}}).maybe<double>("number");
 }
@@ -78,29 +78,29 @@ std::optional<std::vector<double>> numbersIn(const Value& value) {
   return Parameters(Value::Map{{"numbers", value}}).maybe<std::vector<double>>("numbers");
 }
 
-/// An entry of a group; nullptr where there is none, or it is nothing.
+/// An entry of a group; nullptr if it is missing or null.
 const Value* valueIn(const Value::Map& given, const std::string& name) {
   const auto entry = given.find(name);
   return entry == given.end() || entry->second.isNull() ? nullptr : &entry->second;
 }
 
-/// An entry of the settings that says what something is drawn from.
+/// An entry of the settings that gives a distribution.
 class DistributionEntry {
  public:
-  /// @param group  which holds it; outlives this
+  /// @param group  that contains the entry; must outlive this object
   DistributionEntry(Parameters& group, std::string name) : group_(group), name_(std::move(name)) {}
 
   /// Notes what is wrong.
-  /// @return nothing, for a reader to end with
+  /// @return nullopt, for a reader to return
   std::nullopt_t refuse(const std::string& found, const std::string& should) const;
 
-  /// The only kind that the entry's group is of.
-  /// @return nothing where there are others or none, which is noted
+  /// The only kind of distribution in the entry's group.
+  /// @return nullopt if there are several, none, or other entries, which is noted
   [[nodiscard]] std::optional<DistributionKind> kindOf(
       const Value::Map& given, const std::vector<DistributionKind>& kinds) const;
 
-  /// The weights of so many choices; empty where none are given.
-  /// @return nothing where they are wrong, which is noted
+  /// The weights of `count` choices; empty if none are given.
+  /// @return nullopt if they are wrong, which is noted
   [[nodiscard]] std::optional<std::vector<double>> weightsOf(const Value::Map& given,
                                                              std::size_t count) const;
 
@@ -169,7 +169,7 @@ bool isOrdered(const Numbers& low, const Numbers& high) {
   return true;
 }
 
-/// Reads a distribution that is there.
+/// Reads a distribution that is given.
 class DistributionReader {
  public:
   DistributionReader(DistributionEntry entry, const DistributionRange& range)
@@ -229,7 +229,7 @@ class DistributionReader {
     auto low = bound(given, "min", range_.low);
     auto high = bound(given, "max", range_.high);
     if (!low || !high) return std::nullopt;
-    // A mean beyond its bounds would be drawn in vain a thousand times, for the bound itself.
+    // With a mean out of bounds, a thousand draws could fail, and the result be the bound itself.
     if (!isOrdered(*low, mean) || !isOrdered(mean, *high)) {
       return entry_.refuse(found + boundsText(given),
                            "[mean, stddev], mean not below min and not above max");
@@ -238,7 +238,7 @@ class DistributionReader {
                                        parameter(*high), range_.dimension);
   }
 
-  /// Where a normal distribution ends: with the range where nothing is given.
+  /// A bound of a normal distribution; by default the end of the range.
   [[nodiscard]] std::optional<Numbers> bound(const Value::Map& given, const std::string& name,
                                              double end_of_range) const {
     const Value* value = valueIn(given, name);

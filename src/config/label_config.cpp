@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLargestClass = 65534;  // its index + 1 fits into 16 bits of a class map
 
-/// The number that a text is, written as numbers are: not "007".
+/// The whole number that a text represents in its usual form: not "007".
 std::optional<int> wholeNumber(const std::string& text) {
   int number = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -22,7 +22,7 @@ std::optional<int> wholeNumber(const std::string& text) {
   return std::to_string(number) == text ? std::optional<int>(number) : std::nullopt;
 }
 
-/// Takes note of a class once, by number and by name.
+/// Registers classes, each number and each name once.
 class ClassTable {
  public:
   explicit ClassTable(Parameters& root) : root_(root) {}
@@ -49,7 +49,7 @@ class ClassTable {
     return number && by_id_.count(*number) != 0 ? number : std::nullopt;
   }
 
-  /// Whether a name was given, even with a number that cannot be.
+  /// Whether a name was given and accepted, even with a number that is already taken.
   [[nodiscard]] bool knows(const std::string& name) const { return names_.count(name) != 0; }
 
   [[nodiscard]] const std::string& name(int id) const { return by_id_.at(id); }
@@ -68,7 +68,7 @@ class ClassTable {
   std::set<std::string> names_;
 };
 
-/// The parameter `classes`: a list of names, numbered from 0, or a map from name to number.
+/// Reads the parameter `classes`: a list of names, numbered from 0, or a map from name to number.
 void readTable(Parameters& root, const Value& given, ClassTable& table) {
   if (given.is<Value::Map>()) {
     Parameters group = root.group("classes");
@@ -81,7 +81,7 @@ void readTable(Parameters& root, const Value& given, ClassTable& table) {
   }
 }
 
-/// Classes as the objects have them.
+/// Collects and numbers the objects' classes.
 void numberClasses(const std::vector<scene::ObjectOptions>& objects, ClassTable& table) {
   std::set<std::string> names;
   std::set<int> taken;
@@ -127,7 +127,7 @@ label::LabelOptions readLabels(Parameters root) {
   labels.follows_rows =
       maybeChoice<bool>(group, "rolling_shutter", {{"picture", true}, {"mid_exposure", false}})
           .value_or(true);
-  constexpr double kLargestTolerance = 1.0;  // [m]; more is meant in another unit
+  constexpr double kLargestTolerance = 1.0;  // [m]; anything larger was meant in another unit
   if (group.has("keypoint_tolerance")) {
     labels.keypoint_tolerance = group.optionalBetween(
         "keypoint_tolerance", labels.keypoint_tolerance, 1e-6, kLargestTolerance);

@@ -15,15 +15,15 @@ namespace {
 const char* const kKnown =
     "$(find PKG), $(env NAME), $(optenv NAME [DEFAULT]) and $(dirname) are known here";
 
-/// What stands between `$(` and `)`.
+/// A command between `$(` and `)`.
 struct Command {
-  std::string content;  ///< as it stands
+  std::string content;  ///< unchanged
   std::size_t offset;   ///< of the dollar sign
   std::size_t line;     ///< of the dollar sign, from 1
 
   [[nodiscard]] std::string text() const { return "$(" + content + ")"; }
 
-  /// roslaunch splits at spaces alone, not at tabs and line ends.
+  /// Splits as roslaunch does: only at spaces, not at tabs and line ends.
   [[nodiscard]] std::vector<std::string> words() const {
     std::vector<std::string> words;
     std::istringstream stream(content);
@@ -34,7 +34,7 @@ struct Command {
   }
 };
 
-/// Follows roslaunch's substitution_args.py step by step, so that the same text results.
+/// Follows roslaunch's substitution_args.py step by step, so that the result is the same.
 class Substitution {
  public:
   Substitution(std::string text, const SubstitutionSources& sources)
@@ -42,7 +42,7 @@ class Substitution {
 
   std::string result() {
     for (const Command& command : commands()) replaceVariable(command);
-    // Packages come last: roslaunch wants the path behind them to be complete.
+    // Packages come last: roslaunch needs the path after them to be complete.
     for (const Command& command : commands()) replacePackage(command);
     return text_;
   }
@@ -52,7 +52,7 @@ class Substitution {
     throw Error(sources_.file + ": line " + std::to_string(command.line) + ": found " + message);
   }
 
-  /// The commands of the text as it is now.
+  /// The commands in the current text.
   [[nodiscard]] std::vector<Command> commands() const {
     enum class State { kOutside, kDollar, kOpened, kInside };
     std::vector<Command> commands;
@@ -137,8 +137,8 @@ class Substitution {
     text_ = result.append(text_, begin, std::string::npos);
   }
 
-  /// The first place where the command stands. What follows up to the next space counts as a path:
-  /// a slash comes between, and its backslashes become slashes.
+  /// Replaces the first occurrence of the command. What follows, up to the next space, is taken as
+  /// a path: it is joined with a slash, and its backslashes become slashes.
   void replacePackage(const Command& command) {
     const std::vector<std::string> words = command.words();
     if (words[0] != "find") return;
@@ -158,7 +158,7 @@ class Substitution {
     if (!path.empty() && path[0] == '/') path.erase(0, 1);
     if (path.empty()) {
       path = *folder;
-    } else if (path[0] != '/') {  // Python joins a folder and an absolute path to the latter
+    } else if (path[0] != '/') {  // for Python, a folder joined with an absolute path is the latter
       path.insert(0, folder->back() == '/' ? *folder : *folder + '/');
     }
     text_.replace(begin, path_end - begin, path);

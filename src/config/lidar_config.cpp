@@ -24,7 +24,7 @@ using lidar::kFarthestSeen;
 using lidar::kMostColumns;
 using lidar::kMostRings;
 
-/// A list of as many numbers as there are rings.
+/// Reads a list with one number per ring.
 std::vector<double> readOfRings(Parameters& group, const std::string& name, std::size_t rings,
                                 double least, double most, const std::string& unit) {
   const auto numbers = group.maybe<std::vector<double>>(name);
@@ -95,7 +95,7 @@ void readAzimuth(Parameters& group, LidarModel& model) {
   model.last_azimuth = (*given)[1];
 }
 
-/// Where rays go, and what is known of the model beside; without what readChanges reads.
+/// Reads where rays go, and the lidar's model; without what readChanges reads.
 LidarModel readModel(Parameters& group) {
   LidarModel model;
   std::vector<std::string> names = lidar::modelNames();
@@ -113,7 +113,7 @@ LidarModel readModel(Parameters& group) {
     }
   }
   if (group.has("beams")) readBeams(group.group("beams"), model);
-  if (model.elevations.empty()) model.elevations = {0.0};  // what is wrong is noted
+  if (model.elevations.empty()) model.elevations = {0.0};  // the error is already noted
   if (const auto columns = group.maybeBetween<int>("columns", 1, kMostColumns)) {
     model.columns = *columns;
     model.column_period.reset();
@@ -122,7 +122,7 @@ LidarModel readModel(Parameters& group) {
   return model;
 }
 
-/// @param model  of the lidar, or of any one where a sensor has its own
+/// @param model  of the lidar, or any model if a sensor of the world has its own
 lidar::LidarChanges readChanges(Parameters& group, const LidarModel& model) {
   lidar::LidarChanges changes;
   constexpr double kFastest = 1000.0;  // [Hz]
@@ -140,7 +140,7 @@ lidar::LidarChanges readChanges(Parameters& group, const LidarModel& model) {
   return changes;
 }
 
-/// The model that is set, or what is set beside that of a sensor.
+/// Reads the lidar's model, or the changes to the model of a sensor of the world.
 void readScanner(Parameters& group, LidarOptions& options) {
   options.sensor = group.maybe<std::string>("sensor");
   if (options.sensor) {
@@ -191,7 +191,7 @@ std::optional<Pose> readLidarPose(Parameters& group) {
                                      Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX())));
 }
 
-/// `cloud_topic`, and what belongs to it.
+/// Reads `cloud_topic` and its settings.
 std::optional<lidar::RecordedSweepOptions> readRecorded(Parameters& group) {
   if (!group.has("cloud_topic")) {
     refuseWithout(group,
@@ -244,7 +244,7 @@ LidarOptions readLidar(Parameters group, const std::string& name) {
   return options;
 }
 
-/// Only one lidar's clouds say when scenes are, and none where pictures do.
+/// Only one lidar's clouds determine the times of scenes, and none if recorded pictures do.
 void checkEvery(Parameters& all, const std::vector<LidarOptions>& lidars, bool has_pictures) {
   bool is_said = has_pictures;
   for (const LidarOptions& lidar : lidars) {
@@ -279,7 +279,7 @@ std::vector<LidarOptions> readLidars(Parameters root,
   }
   for (const std::string& name : folderNames(all)) {
     lidars.push_back(readLidar(all.group(name), name));
-    if (lidars.back().frame.empty()) continue;  // its clouds say it
+    if (lidars.back().frame.empty()) continue;  // its clouds give the frame
     if (!frames.insert(lidars.back().frame).second) {
       all.group(name).addError("frame_id", "found '" + lidars.back().frame +
                                                "', which is also the frame of a camera or another "

@@ -21,7 +21,7 @@ constexpr const char* kEntry =
     "it should be a topic's name, or a group such as {topic: /vicon/cup, frame: cup} or {topic: "
     "/joint_states, object: arm}";
 
-/// One entry of `pose_topics`; nothing where it is wrong, which is noted.
+/// One entry of `pose_topics`; nullopt if it is wrong, which is noted.
 std::optional<motion::PoseTopic> poseTopicOf(Parameters& root, const Value& entry) {
   const auto wrong = [&](const std::string& what) {
     root.addError("pose_topics", "found " + what + "; " + kEntry);
@@ -48,7 +48,7 @@ std::optional<motion::PoseTopic> poseTopicOf(Parameters& root, const Value& entr
   return topic;
 }
 
-/// `tf_topics` and `pose_topics`: what of a recording is read.
+/// Reads `tf_topics` and `pose_topics`, which select what is read from a recording.
 void readTopics(Parameters& root, motion::MotionOptions& motion) {
   motion.tf_topics =
       root.maybe<std::vector<std::string>>("tf_topics").value_or(std::vector<std::string>{});
@@ -72,7 +72,7 @@ void readTopics(Parameters& root, motion::MotionOptions& motion) {
   }
 }
 
-/// `.inf` is any gap.
+/// Reads `max_tf_gap`; `.inf` allows any gap.
 std::optional<double> readLongestGap(Parameters& root) {
   const auto given = root.maybe<Value>("max_tf_gap");
   const double* number = given ? given->as<double>() : nullptr;
@@ -80,7 +80,7 @@ std::optional<double> readLongestGap(Parameters& root) {
   return maybeSeconds(root, "max_tf_gap");
 }
 
-/// The camera in `camera`, or some of those in `cameras`.
+/// Whether the camera in `camera`, or any of those in `cameras`, has recorded pictures.
 bool hasPictures(Parameters& root) {
   Parameters camera = root.group("camera");
   if (camera.has("image_topic")) return true;
@@ -91,8 +91,8 @@ bool hasPictures(Parameters& root) {
   });
 }
 
-/// The files of a pattern such as `/data/walk_*.bag`, in the order of their names; of a name that
-/// is none, or that a file has, the file.
+/// The files that match a pattern such as `/data/walk_*.bag`, in the order of their names. A name
+/// that is not a pattern, or is the name of an existing file, is returned as it is.
 std::vector<std::string> matching(const std::string& path) {
   if (path.find_first_of("*?[") == std::string::npos || std::filesystem::exists(path)) {
     return {path};
@@ -130,7 +130,7 @@ motion::MotionOptions readMotion(Parameters& root) {
   const bool is_placed = motion.source == motion::MotionSource::kPlacement;
   if (is_placed) {
     motion.bag_files = root.maybe<std::vector<std::string>>("bag_file").value_or(motion.bag_files);
-    if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // which reports it
+    if (!root.has("scenes")) (void)root.required<std::int64_t>("scenes");  // reports it
     motion.scenes = maybeSceneCount(root, "scenes").value_or(1);
     refuseWithout(root,
                   {"start_offset", "duration", "max_tf_gap", "stretch", "tf_topics", "pose_topics",
@@ -144,7 +144,7 @@ motion::MotionOptions readMotion(Parameters& root) {
     root.addError("bag_file", "found an empty list; it should name at least one bag");
   }
   motion.bag_files = bagsNamed(root, motion.bag_files);
-  // Scenes at the times of pictures have no rate that anybody sets.
+  // Scenes at the times of recorded pictures need no rate.
   if (root.has("simulated_rate") || !hasPictures(root)) {
     motion.rate = numberAbove(root, "simulated_rate", motion.rate, 0.0);
   }

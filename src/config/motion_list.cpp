@@ -22,7 +22,7 @@ std::string withoutLeadingSlash(const std::string& name) {
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
 }
 
-/// The objects that the run names; readObjects() reports anything but a list of names.
+/// The objects that the run names; readObjects() reports anything other than names.
 std::set<std::string> objectsOf(const Value::Map& run) {
   std::set<std::string> objects;
   const auto entry = run.find("robot_list");
@@ -42,7 +42,8 @@ bool isPlacement(const Value::Map& settings) {
   return entry != settings.end() && entry->second == Value("placement");
 }
 
-/// The only motion of a run whose list is wrong. Above a list, `scenes` is a recording's, too.
+/// The only motion of a run whose list is wrong. With a list, even a recording's run may have
+/// `scenes`, so it is removed here.
 MotionEntry withoutMotions(const Value::Map& run) {
   Value::Map settings = run;
   settings.erase("motions");
@@ -69,7 +70,7 @@ class Reader {
  private:
   void error(const std::string& message) { list_.errors.push_back(message); }
 
-  /// Above the list, `scenes` is the number of all of them.
+  /// Next to the list, `scenes` is the number of scenes of all motions together.
   void readTotal() {
     if (run_.count("scenes") == 0) return;
     list_.is_weighted = true;
@@ -146,7 +147,7 @@ class Reader {
     }
   }
 
-  /// All that is not of one motion is of the whole dataset.
+  /// Settings that do not belong to one motion belong to the whole dataset.
   void checkSettings(const MotionEntry& entry) {
     for (const auto& [name, value] : entry.own) {
       if (settingsOfEntries().count(name) != 0 || settingsOfMotions().count(name) != 0) continue;
@@ -203,7 +204,8 @@ class Reader {
     }
   }
 
-  /// Settings that only one kind of motion has are for the entries of that kind.
+  /// Overlays the run's settings with each entry's. If the list has both kinds of motion, the run's
+  /// settings for one kind apply only to entries of that kind.
   void layOver() {
     bool has_bags = false;
     bool has_placements = false;
@@ -223,7 +225,7 @@ class Reader {
         }
         if (!is_placed) below.erase("placement");
       }
-      Value::Map own;  // all else is about the entry, or an error already
+      Value::Map own;  // the rest is about the entry, or already an error
       for (const auto& [name, value] : entry.own) {
         const bool is_of_motion = settingsOfMotions().count(name) != 0;
         if (is_of_motion || objects_.count(name) != 0) own.emplace(name, value);
@@ -234,14 +236,14 @@ class Reader {
     }
   }
 
-  /// The settings that say which kind of motion an entry is.
+  /// The settings that determine which kind of motion an entry is.
   [[nodiscard]] Value::Map settingsOf(const MotionEntry& entry) const {
     Value::Map settings = run_;
     overlay(settings, entry.own);
     return settings;
   }
 
-  /// What is placed at random can be so as often as it takes.
+  /// Random placement can provide as many scenes as needed.
   void placeAsManyAsNeeded(Value::Map& settings) const {
     if (!list_.scenes || !isPlacement(settings) || settings.count("scenes") != 0) return;
     settings["scenes"] = Value(*list_.scenes);
@@ -253,7 +255,7 @@ class Reader {
   MotionList list_;
 };
 
-/// Whether settings have one of this full name.
+/// Whether settings contain one with this full name.
 bool has(const Value::Map& settings, const std::string& full_name) {
   const std::size_t slash = full_name.find('/');
   const auto entry = settings.find(full_name.substr(0, slash));

@@ -11,8 +11,8 @@ using Names = std::vector<std::string>;
 
 bool hasKey(const Value::Map& map, const std::string& name) { return map.count(name) != 0; }
 
-/// Settings of which one is enough: where there is an own one, those below it are gone.
-void makeWay(Value::Map& below, const Value::Map& own, const Names& alternatives) {
+/// Removes alternatives to the entry's own settings from those of the run.
+void dropAlternatives(Value::Map& below, const Value::Map& own, const Names& alternatives) {
   bool is_there = false;
   for (const std::string& name : alternatives) is_there = is_there || hasKey(own, name);
   for (const std::string& name : alternatives) {
@@ -20,28 +20,29 @@ void makeWay(Value::Map& below, const Value::Map& own, const Names& alternatives
   }
 }
 
-void makeWayForCamera(Value::Map& below, const Value::Map& own) {
-  makeWay(below, own, {"info_file", "info_topic", "sensor"});
-  makeWay(below, own, {"pose", "mounted_on", "sample"});
+void dropCameraAlternatives(Value::Map& below, const Value::Map& own) {
+  dropAlternatives(below, own, {"info_file", "info_topic", "sensor"});
+  dropAlternatives(below, own, {"pose", "mounted_on", "sample"});
 }
 
 void makeWayForCameras(Value::Map& settings, const Value::Map& own) {
-  makeWay(settings, own, {"camera", "cameras"});
+  dropAlternatives(settings, own, {"camera", "cameras"});
   if (hasKey(own, "cameras")) settings.erase("camera_frame_id");
   if (hasKey(own, "camera") || hasKey(own, "camera_frame_id")) settings.erase("cameras");
   Value::Map* camera = groupIn(settings, "camera");
   const Value::Map* own_camera = groupIn(own, "camera");
-  if (camera != nullptr && own_camera != nullptr) makeWayForCamera(*camera, *own_camera);
+  if (camera != nullptr && own_camera != nullptr) dropCameraAlternatives(*camera, *own_camera);
   Value::Map* cameras = groupIn(settings, "cameras");
   const Value::Map* own_cameras = groupIn(own, "cameras");
   if (cameras == nullptr || own_cameras == nullptr) return;
   for (auto& [name, below] : *cameras) {
     const Value::Map* over = groupIn(*own_cameras, name);
-    if (over != nullptr && below.is<Value::Map>()) makeWayForCamera(*below.as<Value::Map>(), *over);
+    if (over != nullptr && below.is<Value::Map>())
+      dropCameraAlternatives(*below.as<Value::Map>(), *over);
   }
 }
 
-/// `world: FILE` and `world_file` are what `world: {file: FILE}` is.
+/// Converts `world: FILE` and `world_file` to `world: {file: FILE}`.
 void spellOutWorld(Value::Map& settings) {
   const auto world = settings.find("world");
   if (world != settings.end() && world->second.is<std::string>()) {
@@ -55,12 +56,12 @@ void spellOutWorld(Value::Map& settings) {
   if (group.is<Value::Map>()) (*group.as<Value::Map>())["file"] = name;
 }
 
-/// Another kind of placement has other settings.
+/// Removes the run's placement settings if the entry has another mode, which has other settings.
 void makeWayForPlacement(Value::Map& settings, const Value::Map& own) {
   Value::Map* below = groupIn(settings, "placement");
   const Value::Map* over = groupIn(own, "placement");
   if (below == nullptr || over == nullptr) return;
-  makeWay(*below, *over, {"map", "map_topic", "received_map"});
+  dropAlternatives(*below, *over, {"map", "map_topic", "received_map"});
   if (hasKey(*over, "mode")) settings.erase("placement");
 }
 
@@ -92,7 +93,7 @@ void overlayMotion(Value::Map& settings, const Value::Map& own,
     Value::Map* object = groupIn(settings, name);
     const Value::Map* own_object = groupIn(own, name);
     if (object == nullptr || own_object == nullptr) continue;
-    makeWay(*object, *own_object, {"frame", "frame_id"});
+    dropAlternatives(*object, *own_object, {"frame", "frame_id"});
     if (hasKey(*own_object, "link_frames")) object->erase("link_frames");
   }
   overlay(settings, over);

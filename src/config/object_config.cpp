@@ -13,7 +13,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// `frame` as it is, else `frame_id` below the object's name.
+/// Reads `frame` as given, else `frame_id` below the object's name.
 std::string readFrame(Parameters& group, const std::string& name) {
   const auto frame = group.maybe<std::string>("frame");
   if (!frame) return name + "/" + group.optional<std::string>("frame_id", "base_link");
@@ -44,7 +44,7 @@ void checkPattern(Parameters& group, const std::string& pattern) {
                                     "braces: \"{object}/{link}\"");
 }
 
-/// A pattern for all links, or a map from a link to its frame.
+/// Reads a pattern for all links, or a map from a link to its frame.
 scene::LinkFrames readLinkFrames(Parameters& group) {
   scene::LinkFrames frames;
   const auto given = group.maybe<Value>("link_frames");
@@ -63,7 +63,7 @@ scene::LinkFrames readLinkFrames(Parameters& group) {
   return frames;
 }
 
-/// N of "farthest_points: N", as a map or, by a slip that YAML invites, as one text.
+/// N in "farthest_points: N", given as a map or, by an easy mistake in YAML, as one text.
 std::optional<int> farthestPointsOf(Parameters& group, const Value& keypoints) {
   if (keypoints.is<Value::Map>()) {
     return group.group("keypoints").required<int>("farthest_points");
@@ -118,7 +118,7 @@ void readKeypointNames(Parameters& group, scene::ObjectOptions& object) {
   }
 }
 
-/// One end of a skeleton's line: a keypoint's index, from 0, or its name.
+/// The keypoint at one end of a skeleton's line, given by its index, from 0, or its name.
 std::optional<std::size_t> keypointOf(const Value& end, const scene::ObjectOptions& object) {
   const std::vector<std::string>& names = object.keypoint_names;
   const auto named = std::find(names.begin(), names.end(), end.text());
@@ -179,7 +179,7 @@ bool isXml(const std::string& text) {
   return first != std::string::npos && text[first] == '<';
 }
 
-/// Numbers and switches as xacro has them: texts.
+/// Reads the model's arguments; numbers and booleans become texts, as in xacro.
 std::map<std::string, std::string> readModelArguments(Parameters& group) {
   std::map<std::string, std::string> arguments;
   const auto given = group.maybe<Value>("model_arguments");
@@ -202,8 +202,8 @@ std::map<std::string, std::string> readModelArguments(Parameters& group) {
   return arguments;
 }
 
-/// Templates take arguments, as world/files/template_file.h has them; of any other model they would
-/// change nothing.
+/// Only templates (see world/files/template_file.h) take arguments; with any other model they would
+/// have no effect.
 void checkModelArguments(Parameters& group, const scene::ObjectOptions& object) {
   if (object.model_arguments.empty() || !object.model) return;
   const std::string ending = std::filesystem::path(*object.model).extension();
@@ -229,7 +229,7 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name,
   object.class_text = readLabel(group, "class");
   object.class_name = object.class_text;
   object.id = readLabel(group, "id");
-  // More of them are objects of their own by now, where they can be (config/object_count.h).
+  // Where several are allowed, they are separate objects by now (config/object_count.h).
   constexpr int kMostCopies = 1000;
   const int count = group.optionalBetween("count", 1, 1, kMostCopies);
   if (count > 1) {
@@ -266,7 +266,7 @@ scene::ObjectOptions readObject(Parameters& root, const std::string& name,
   return object;
 }
 
-/// A distractor with a label; its shape is its model's.
+/// A labelled distractor; its shape is that of its model.
 scene::ObjectOptions labelledDistractor(int number, const std::string& label_class) {
   scene::ObjectOptions object;
   object.name = object.id = randomize::distractorName(number);

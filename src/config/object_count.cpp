@@ -10,9 +10,10 @@
 namespace synthetic_dataset::config {
 namespace {
 
-using Copies = std::map<std::string, std::vector<std::string>>;  ///< of each object that has some
+using Copies =
+    std::map<std::string, std::vector<std::string>>;  ///< by object, for those with copies
 
-/// How many there are to be of an object; 1 where its group says nothing, or something wrong.
+/// The number of copies of an object; 1 if its group gives no count or an invalid one.
 std::int64_t countOf(Value::Map& settings, const std::string& object) {
   constexpr std::int64_t kMost = 1000;
   Value::Map* group = groupIn(settings, object);
@@ -43,7 +44,7 @@ void replaceInList(Value::Map& settings, const Copies& copies) {
   entry->second = Value(std::move(replaced));
 }
 
-/// What is said of an object is said of each of its copies that has nothing of its own.
+/// Copies an object's group to each of its copies that does not have its own.
 void copyGroups(Value::Map& settings, const Copies& copies) {
   for (const auto& [object, names] : copies) {
     const auto entry = settings.find(object);

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// The text of an entry's member, or nothing.
+/// The text of an entry's member, or "".
 std::string memberText(const Value& entry, const std::string& member) {
   const auto* map = entry.as<Value::Map>();
   if (map == nullptr) return "";
@@ -20,7 +20,7 @@ std::string memberText(const Value& entry, const std::string& member) {
   return text == nullptr ? "" : *text;
 }
 
-/// `shard: {index: 2, count: 8}`; none when the whole run is to be made.
+/// Reads `shard: {index: 2, count: 8}`; nullopt for the whole run.
 std::optional<output::Shard> readShard(Parameters& root) {
   if (!root.has("shard")) return std::nullopt;
   Parameters group = root.group("shard");
@@ -46,8 +46,8 @@ std::optional<output::Shard> readShard(Parameters& root) {
   return shard;
 }
 
-/// Names and types of the writers; left out where there is a group of one of the original's three:
-/// these.
+/// Names and types of the writers. If they are left out and there is a group of one of
+/// nn_data_collection's three writers, these three.
 std::vector<std::pair<std::string, std::string>> readWriterNames(Parameters& root) {
   const auto given = root.maybe<Value>("writers");
   const auto isOfOriginal = [&] {
@@ -181,7 +181,7 @@ std::string commonFolder(const std::vector<output::WriterOptions>& writers) {
     }
     common = shared;
   }
-  // Folders that share only the root have no place in common for a manifest.
+  // Folders with only the root in common have no common place for a manifest.
   if (common == common.root_path()) return writers.front().output_folder;
   return common.string();
 }

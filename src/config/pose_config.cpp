@@ -40,7 +40,7 @@ Pose readPose(Parameters& group, const std::string& name, const std::string& or_
     return Pose::Identity();
   }
   const Eigen::Quaterniond orientation(n[6], n[3], n[4], n[5]);
-  constexpr double kTolerance = 1e-2;  // a rounded quaternion is meant; a wrong one is not
+  constexpr double kTolerance = 1e-2;  // accepts a rounded quaternion, but not a wrong one
   if (std::abs(orientation.norm() - 1.0) > kTolerance) {
     group.addError(name, "found a quaternion of length " + fixed(orientation.norm(), 4) +
                              "; qx, qy, qz, qw should have length 1");

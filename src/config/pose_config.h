@@ -8,10 +8,10 @@
 #include "synthetic_dataset/parameters.h"
 #include "synthetic_dataset/pose.h"
 
-/// How poses are written: in seven numbers, or by a position and angles.
+/// Reads poses, which are written as seven numbers, or as a position and angles.
 namespace synthetic_dataset::config {
 
-/// Three numbers, none beyond `farthest`; nothing where they are not there or wrong, which is
+/// Three numbers, none beyond `farthest`; nullopt if they are missing or wrong; the latter is
 /// noted.
 /// @param should  what they should be, for the message
 [[nodiscard]] std::optional<Eigen::Vector3d> maybeVector(Parameters& group, const std::string& name,
@@ -21,8 +21,8 @@ namespace synthetic_dataset::config {
 /// `rpy: [roll, pitch, yaw]`, in radians.
 [[nodiscard]] std::optional<Eigen::Vector3d> maybeAngles(Parameters& group);
 
-/// `[x, y, z, qx, qy, qz, qw]`. A wrong one is noted, and becomes a harmless pose: without any,
-/// there would be a second error.
+/// `[x, y, z, qx, qy, qz, qw]`. A wrong one is noted and becomes a harmless pose, as a missing one
+/// would cause a second error.
 /// @param or_else  what it may be instead, for the message
 [[nodiscard]] Pose readPose(Parameters& group, const std::string& name,
                             const std::string& or_else = "");

@@ -19,14 +19,14 @@ randomize::LightRandomization readLight(Parameters group) {
   return light;
 }
 
-/// How many of lights or objects there are; nothing where each goes its own way.
+/// The number of lights or objects; nullopt if each is present or absent by itself.
 /// @param kind  the name of their group
-/// @param result  what each of the two entries says
+/// @param result  what each of the two conflicting entries determines
 template <typename Entry>
 std::optional<base::Distribution> readCount(Parameters& group, const std::string& name,
                                             const std::string& kind, const std::string& result,
                                             const std::map<std::string, Entry>& entries) {
-  constexpr double kMost = 1000.0;  // how many there can be is known later
+  constexpr double kMost = 1000.0;  // the real limit is known later
   auto count = maybeDistribution(group, name, {1, 0.0, kMost});
   for (const auto& [own, entry] : entries) {
     if (!count || !entry.present) continue;
@@ -63,7 +63,7 @@ std::optional<base::TextChoice> readModels(Parameters& group) {
   return models;
 }
 
-/// @param usual  of what says nothing else
+/// @param usual  the default
 std::optional<randomize::VarietyOptions> readVariety(Parameters& group,
                                                      const randomize::VarietyOptions& usual) {
   constexpr int kMostVariants = 100;
@@ -86,7 +86,7 @@ std::optional<randomize::VarietyOptions> readVariety(Parameters& group,
   return options;
 }
 
-/// @param variety  of objects that say nothing of it
+/// @param variety  the default of objects without their own
 randomize::ObjectRandomization readObject(Parameters group,
                                           const randomize::VarietyOptions& variety) {
   constexpr double kSmallest = 1e-3;
@@ -118,7 +118,7 @@ randomize::SensorRandomization readSensor(Parameters group) {
   sensor.white_balance =
       maybeDistribution(group, "white_balance", {1, render::kReddestLight, render::kBluestLight});
   sensor.jpeg_quality = maybeDistribution(group, "jpeg_quality", {1, 1.0, 100.0});
-  // A fisheye may see all round; what each camera's lens can have is known later.
+  // A fisheye may see all around; the limit of each camera's lens is known later.
   constexpr double kNarrowestView = 0.01;  // [rad]
   sensor.field_of_view =
       maybeDistribution(group, "field_of_view", {1, kNarrowestView, 2.0 * kHalfTurn, false, true});
@@ -129,9 +129,9 @@ randomize::WeatherRandomization readWeather(Parameters group) {
   constexpr double kNearest = 1.0;         // [m]
   constexpr double kFarthest = 1e6;        // [m]
   constexpr double kHeaviestRain = 500.0;  // [mm/h]
-  constexpr double kHeaviestSnow = 20.0;   // [mm/h]; denser, nothing is seen
+  constexpr double kHeaviestSnow = 20.0;   // [mm/h]; in denser snow nothing is visible
   constexpr double kStrongest = 100.0;     // [m/s]
-  constexpr double kDustiest = 0.2;        // of the glass
+  constexpr double kDustiest = 0.2;        // share of the glass
   randomize::WeatherRandomization weather;
   weather.present = group.maybeBetween("present", 0.0, 1.0);
   weather.visibility = maybeDistribution(group, "visibility", {1, kNearest, kFarthest});
@@ -152,7 +152,7 @@ randomize::Randomization readRandomization(Parameters root) {
   randomize::Randomization randomization;
   if (!root.has("randomize")) return randomization;
   Parameters group = root.group("randomize");
-  // Spelt out before settings are read, where it counts (run/setup/transfer_preset.h).
+  // Expanded before settings are read, if it applies (run/setup/transfer_preset.h).
   (void)group.maybeChoice("preset", {"transfer"});
   Parameters lights = group.group("lights");
   for (const std::string& name : lights.names()) {

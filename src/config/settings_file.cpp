@@ -18,7 +18,7 @@ namespace {
 
 using Path = std::vector<std::string>;
 
-/// Doubled and trailing slashes say nothing, as in ROS's names.
+/// Appends a name's parts; repeated and trailing slashes are ignored, as in ROS names.
 Path withName(Path path, const std::string& name) {
   std::istringstream stream(name);
   for (std::string part; std::getline(stream, part, '/');) {
@@ -33,7 +33,7 @@ std::string textOf(const Path& path) {
   return text;
 }
 
-/// Builds the server's tree, value by value.
+/// Builds the parameter server's tree, value by value.
 class ParameterTree {
  public:
   explicit ParameterTree(const std::string& origin) : origin_(origin) {}
@@ -82,7 +82,7 @@ class ParameterTree {
   std::optional<Value> global_robot_list_;
 };
 
-/// Python's text mode reads all of Windows' and old Macs' line ends as `\n`.
+/// Converts line ends of Windows and old Macs to `\n`, as Python's text mode does.
 std::string withPlainLineEnds(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -95,7 +95,7 @@ std::string withPlainLineEnds(const std::string& text) {
   return result;
 }
 
-/// The names of the files below one, which it loses.
+/// Removes the setting `include` and returns the file names in it.
 std::vector<std::string> takeIncluded(Value::Map& settings, const std::string& file) {
   const auto entry = settings.find("include");
   if (entry == settings.end()) return {};
@@ -117,13 +117,14 @@ bool holdsAny(const Value::Map& group, const std::set<std::string>& names) {
                      [&](const auto& entry) { return names.count(entry.first) != 0; });
 }
 
-/// Whether a group says what a setting is drawn from, instead of holding settings.
+/// Whether a group gives the distribution of a setting, instead of containing settings.
 bool isDistribution(const Value::Map& group) {
   static const std::set<std::string> kKinds = {"uniform", "log_uniform", "normal", "choice"};
   return holdsAny(group, kKinds);
 }
 
-/// The upper of two distributions counts alone; but weights or limits may be laid over one.
+/// Whether a group replaces the one below instead of being merged with it: a distribution does, but
+/// only weights or limits may be merged into one.
 bool replaces(const Value::Map& over, const Value::Map& below) {
   static const std::set<std::string> kBeside = {"weights", "min", "max"};
   return isDistribution(over) || (isDistribution(below) && !holdsAny(over, kBeside));
@@ -131,7 +132,7 @@ bool replaces(const Value::Map& over, const Value::Map& below) {
 
 Value::Map loadOver(const std::string& file, const SettingsSources& sources,
                     const base::Remark& remark, std::vector<std::string> above) {
-  std::error_code problem;  // which reading the file reports
+  std::error_code problem;  // ignored: reading the file reports it
   const std::string place = std::filesystem::weakly_canonical(file, problem).string();
   if (std::find(above.begin(), above.end(), place) != above.end()) {
     throw Error(file + ": include: found a file that includes itself");

@@ -9,47 +9,47 @@
 
 namespace synthetic_dataset::config {
 
-/// What the settings of a file come from, beside it.
+/// What the settings of a file depend on besides the file.
 struct SettingsSources {
-  TextFinder package_folder;                     ///< where ROS packages are
+  TextFinder package_folder;                     ///< finds ROS packages
   TextFinder environment = environmentVariable;  ///< may throw Error
-  /// Gets each file that is included before it is read, and throws Error where it may not be.
+  /// Called with each included file before it is read; throws Error if it may not be included.
   std::function<void(const std::string& file)> admit = [](const std::string&) {};
 };
 
-/// The settings of a YAML file as roslaunch would load them into the parameter server:
-/// substitutions filled in, read as `<rosparam>` does, kept as the server keeps them (see
-/// asParameters). The files that its setting `include` names, one or a list, lie below it: their
-/// settings count where it has none of its own; of several, those of the later ones.
+/// Loads the settings of a YAML file as roslaunch would load them into the parameter server:
+/// substitutions are replaced, the text is read as by `<rosparam>`, and the tree is stored as in
+/// the server (see asParameters). The setting `include` names one file or a list of files whose
+/// settings apply unless this file has its own; later files override earlier ones.
 /// @param file  may be relative to the current folder
-/// @param remark  as parseSettings() has it
-/// @throws Error naming file and line; for a file that includes itself, too
+/// @param remark  as in parseSettings()
+/// @throws Error naming file and line; also for a file that includes itself
 [[nodiscard]] Value::Map loadSettings(const std::string& file, const SettingsSources& sources,
                                       const base::Remark& remark = {});
 
-/// The same with the environment of this process, and any file included.
+/// The same with the environment of this process, and with any file allowed in `include`.
 [[nodiscard]] Value::Map loadSettings(const std::string& file, const TextFinder& package_folder,
                                       const base::Remark& remark = {});
 
-/// A file's tree as the parameter server would keep it: `yolo/main_list` is `main_list` in the
-/// group `yolo`, empty groups vanish, and the global name `/robot_list` counts where there is no
+/// A file's tree as the parameter server would store it: `yolo/main_list` is `main_list` in the
+/// group `yolo`, empty groups vanish, and the global name `/robot_list` is used if there is no
 /// other `robot_list`.
 /// @param origin  for messages
-/// @throws Error where a name is given twice, or as a group and as a value, or is global otherwise
+/// @throws Error if a name is given twice, or as a group and as a value, or another name is global
 [[nodiscard]] Value::Map asParameters(const Value& tree, const std::string& origin);
 
-/// Puts settings over others: groups are merged, all else is replaced, distributions too.
+/// Overlays settings with others: groups are merged, all else is replaced, including distributions.
 void overlay(Value::Map& settings, const Value::Map& over);
 
-/// The same of what overrides a file's settings from outside, as on a command line: an
-/// `output_folder` moves the writers' folders, too, below itself.
+/// The same for overrides from outside the file, as on a command line: an `output_folder` also
+/// moves the writers' folders below itself.
 void overrideBy(const Value::Map& over, Value::Map& settings);
 
-/// A group of settings; null where there is none of this name.
+/// A group of settings; nullptr if there is none of this name.
 [[nodiscard]] Value::Map* groupIn(Value::Map& settings, const std::string& name);
 [[nodiscard]] const Value::Map* groupIn(const Value::Map& settings, const std::string& name);
 
-/// The settings that `name:=text` on the command line stands for.
+/// The settings given by `name:=text` on the command line.
 /// @param name  a parameter's path, such as `yolo/main_list`
 /// @param text  YAML
 /// @throws Error naming the setting

@@ -7,10 +7,10 @@
 
 namespace synthetic_dataset::config {
 
-/// A tree of settings with a line each: "camera/far" to JSON. Lists count as one setting.
+/// Flattens a tree of settings: maps names such as "camera/far" to JSON. A list is one setting.
 [[nodiscard]] std::map<std::string, std::string> flatSettings(const Value& tree);
 
-/// The tree again.
+/// Rebuilds the tree from flat settings.
 /// @throws Error for a text that is not a value
 [[nodiscard]] Value settingsTree(const std::map<std::string, std::string>& flat);
 

@@ -11,7 +11,7 @@
 #include "config/pose_config.h"
 #include "synthetic_dataset/nearest_name.h"
 
-/// Objects that stand in the world, and follow no frame.
+/// Objects that stand still in the world and follow no frame.
 namespace synthetic_dataset::config {
 namespace {
 
@@ -45,7 +45,7 @@ bool readStanding(Parameters& group, scene::ObjectOptions& object) {
   if (!group.has("pose")) return false;
   const auto given = group.required<Value>("pose");
   object.stands = true;
-  object.frame = "standing: " + object.name;  // which no recording has
+  object.frame = "standing: " + object.name;  // a name that no recording has
   refuseFrames(group);
   if (const auto* text = given.as<std::string>()) {
     if (*text != "world") {

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// All cameras have pictures, or none: a scene is of one time.
+/// Checks that all cameras have recorded pictures, as a scene has a single time.
 void checkCameras(Parameters& root, const scene::SceneOptions& scenes,
                   scene::RecordedImageOutput output) {
   for (const scene::CameraOptions& camera : scenes.cameras) {
@@ -31,7 +31,7 @@ void checkCameras(Parameters& root, const scene::SceneOptions& scenes,
   }
 }
 
-/// What is in the picture, or the cloud, is what was there.
+/// Refuses randomization of what a recorded picture or cloud shows as it was.
 void checkRandomization(Parameters& root, const scene::SceneOptions& scenes) {
   const randomize::Randomization& randomization = scenes.randomization;
   const std::string reason =
@@ -47,7 +47,7 @@ void checkRandomization(Parameters& root, const scene::SceneOptions& scenes) {
   }
 }
 
-/// Of runs whose clouds alone are recorded.
+/// Checks runs in which only clouds are recorded.
 void checkTimingLidar(Parameters& root, const scene::SceneOptions& scenes) {
   if (scenes.timingLidar() == nullptr) return;
   if (scenes.isPlaced()) {
@@ -59,7 +59,7 @@ void checkTimingLidar(Parameters& root, const scene::SceneOptions& scenes) {
   checkRandomization(root, scenes);
 }
 
-/// `both` is two runs, of which each has one of the others.
+/// Reads `output`; `both` should have been split into two runs, with `real` and `synthetic`.
 scene::RecordedImageOutput readOutput(Parameters& group) {
   const auto both = std::optional<scene::RecordedImageOutput>();
   const auto output = choice<std::optional<scene::RecordedImageOutput>>(
@@ -75,10 +75,10 @@ scene::RecordedImageOutput readOutput(Parameters& group) {
   return output.value_or(scene::RecordedImageOutput::kReal);
 }
 
-/// What measures the surfaces in front of objects.
+/// Reads the topics that measure surfaces in front of objects, and their tolerances.
 void readMeasured(Parameters& group, scene::RecordedImageOptions& twin) {
   constexpr double kWidest = 10.0;       // [m]
-  constexpr double kSteepest = 1.0;      // of the distance
+  constexpr double kSteepest = 1.0;      // share of the distance
   constexpr double kLongestTime = 10.0;  // [s]
   twin.depth_topic = group.maybe<std::string>("depth_topic");
   twin.depth_info_topic = group.maybe<std::string>("depth_info_topic");

@@ -8,7 +8,7 @@
 namespace synthetic_dataset::config {
 namespace {
 
-/// The entry's group, if it is one.
+/// The entry as a group; nullptr if it is not one.
 Value::Map* groupOf(Value::Map& settings, const std::string& name) {
   const auto entry = settings.find(name);
   return entry == settings.end() ? nullptr : entry->second.as<Value::Map>();
@@ -31,7 +31,7 @@ void removeEffects(Value::Map& settings) {
   }
 }
 
-/// The folder that both are below.
+/// The folder that contains both datasets.
 std::string commonFolderOf(const Value::Map& settings) {
   std::vector<std::string> errors;
   const auto folder = settings.find("output_folder");

@@ -6,10 +6,10 @@
 
 namespace synthetic_dataset::config {
 
-/// The runs that settings stand for: one, or with `twin/output: both` two, that of the recorded
-/// pictures and that of the drawn ones of the same instants. Their datasets are in `real` and
-/// `synthetic` of output_folder; `effects` are those of the drawn ones.
-/// @throws ErrorList where such settings name folders in which the two would meet
+/// The settings of each run: of one or, with `twin/output: both`, of two, one for the recorded
+/// pictures and one for rendered ones of the same instants. Their datasets are in `real` and
+/// `synthetic` below output_folder; `effects` apply to the rendered pictures.
+/// @throws ErrorList if such settings name folders that the two runs would share
 [[nodiscard]] std::vector<Value> twinRuns(const Value& settings);
 
 }  // namespace synthetic_dataset::config

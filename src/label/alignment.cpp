@@ -45,7 +45,7 @@ Alignment alignmentOf(const Mask& mask, const cv::Mat& picture) {
   const auto isInside = [&](const cv::Point& at) {
     return bounds.contains(at) && inside(at - bounds.tl()) != 0;
   };
-  // From one pixel before the mask's box: pairs begin with their left or upper pixel.
+  // Starts one pixel before the mask's box: a pair is visited at its left or upper pixel.
   for (int y = std::max(bounds.y - 1, 0); y < bounds.br().y; ++y) {
     for (int x = std::max(bounds.x - 1, 0); x < bounds.br().x; ++x) {
       const cv::Point pixel(x, y);

@@ -7,11 +7,11 @@
 namespace synthetic_dataset::label {
 namespace {
 
-/// Calls visit(instance, row, first column, column behind the last) for pixels of one instance that
-/// follow one another in a row.
+/// Calls visit(instance, row, first column, column after the last) for each run of pixels of one
+/// instance in a row.
 template <class Visit>
 void visitRuns(const cv::Mat& instance_map, const Visit& visit) {
-  constexpr int kAtOnce = 4;  // pixels; most of a picture is of no object
+  constexpr int kAtOnce = 4;  // pixels; most of a picture belongs to no object
   for (int row = 0; row < instance_map.rows; ++row) {
     const auto* pixels = instance_map.ptr<std::uint16_t>(row);
     for (int u = 0; u < instance_map.cols;) {

@@ -14,7 +14,8 @@ struct SeenSurfaces {
   const cv::Mat& ids;
   const RangeAt& at;
 
-  /// How much farther the same surface is at a neighbour; nothing where that shows another.
+  /// How much farther away the same surface is at a neighbour; nothing if that shows another
+  /// object.
   [[nodiscard]] std::optional<double> step(const cv::Point& pixel, const cv::Point& to) const {
     const cv::Point neighbour = pixel + to;
     if (!cv::Rect({0, 0}, ids.size()).contains(neighbour)) return std::nullopt;
@@ -27,9 +28,9 @@ struct SeenSurfaces {
     const auto ahead = step(pixel, direction);
     const auto back = step(pixel, -direction);
     if (ahead && back) {
-      // Both farther: a ridge or something thin, and nothing of it is nearer than its middle. Both
-      // nearer: a groove. Else the less steep side, so that the step to what lies behind an edge
-      // does not count.
+      // Both farther: a ridge or something thin, of which the middle is nearest. Both nearer: a
+      // groove. Otherwise the less steep side, so that the step to what lies behind an edge does
+      // not count.
       return *ahead * *back > 0.0 ? 0.0 : std::min(std::abs(*ahead), std::abs(*back));
     }
     if (!ahead && !back) return 0.0;
@@ -37,8 +38,9 @@ struct SeenSurfaces {
     return slopeByOutline(std::abs(ahead ? *ahead : *back), step(pixel + inwards, inwards));
   }
 
-  /// The neighbour in one direction of the image, or the one against it, that continues the pixel's
-  /// surface: the one that steps less. Nothing where none does, or the pixel shows a ridge.
+  /// The neighbour in a direction of the image, or in the opposite one, that continues the pixel's
+  /// surface: the one with the smaller step. Nothing if neither does, or if the pixel shows a
+  /// ridge.
   [[nodiscard]] std::optional<cv::Point> continuation(const cv::Point& pixel,
                                                       const cv::Point& direction) const {
     const auto ahead = step(pixel, direction);
@@ -50,19 +52,19 @@ struct SeenSurfaces {
   }
 
   /// @param first  the step to the pixel's only neighbour
-  /// @param next  from there to the one beyond, if it shows the same object
+  /// @param next  the step from there to the pixel beyond, if that shows the same object
   static double slopeByOutline(double first, const std::optional<double>& next) {
-    // A round surface turns away faster by its outline than it does a pixel farther in: of
-    // sqrt(2 r d), at a distance d from the outline, a step is at most 1 / (sqrt(2) - 1) times the
-    // next. What steps farther is another surface of the object.
+    // A round surface turns away faster at its outline than a pixel farther in: for sqrt(2 r d), at
+    // a distance d from the outline, a step is at most 1 / (sqrt(2) - 1) times the next. A larger
+    // step leads to another surface of the object.
     constexpr double kTurning = 2.0;
     constexpr double kSteepest = 2.5;
     return kTurning * (next ? std::min(first, kSteepest * std::abs(*next)) : first);
   }
 };
 
-/// How far away the surface that a pixel shows is along another ray, as the plane through the pixel
-/// and its neighbours meets that; nothing where it does not.
+/// How far away the surface that a pixel shows is along another ray: where that ray meets the plane
+/// through the pixel and its neighbours; nothing if it does not meet the plane.
 std::optional<double> rangeAlong(const Eigen::Vector3d& ray, const cv::Point& pixel,
                                  const SeenSurfaces& seen, const CameraModel& camera) {
   // Points r d of a plane have m.d = 1 / r, with the same m for all of them.
@@ -75,17 +77,18 @@ std::optional<double> rangeAlong(const Eigen::Vector3d& ray, const cv::Point& pi
     const auto direction = camera.ray({static_cast<double>(at.x), static_cast<double>(at.y)});
     if (!direction) return seen.at(pixel);
     directions.row(i) = direction->transpose();
-    nearness[i] = 1.0 / (next ? seen.at(at) : seen.at(pixel));  // alone, as far away as the pixel
+    nearness[i] = 1.0 / (next ? seen.at(at) : seen.at(pixel));  // none: like the pixel
   }
   const double along = ray.dot(directions.inverse() * nearness);
   return along > 0.0 ? std::optional(1.0 / along) : std::nullopt;
 }
 
-/// Whether what the pixel shows hides a point from the camera.
+/// Whether the surface that the pixel shows hides a point from the camera.
 ///
-/// A surface of the object itself may be the one that the point is on: so what its slope accounts
-/// for within the pixel is let through. Of anything else, what matters is where it is on the way to
-/// the point: ground that an object stands on begins there, a wall before the object does not.
+/// A surface of the object itself may be the one that the point is on, so a difference that its
+/// slope explains within the pixel is tolerated. For anything else, what matters is where it lies
+/// on the ray to the point: ground that an object stands on begins there, a wall in front of the
+/// object does not.
 bool isHidden(const Eigen::Vector3d& p_C, const cv::Point& pixel, bool shows_itself,
               const SeenSurfaces& seen, const CameraModel& camera, double tolerance) {
   const double range = seen.at(pixel);

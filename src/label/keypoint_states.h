@@ -10,22 +10,24 @@
 
 namespace synthetic_dataset::label {
 
-/// At what distance from the camera's centre a pixel's own surface is [m], 0 where nothing is.
+/// The distance from the camera's centre to the surface that a pixel shows [m]; 0 if it shows
+/// nothing.
 using RangeAt = std::function<double(const cv::Point& pixel)>;
 
-/// Finds what the camera sees of each keypoint in what it sees at the pixel nearest to it.
+/// Finds out whether the camera sees each keypoint, from what it sees at the pixel nearest to the
+/// keypoint.
 ///
-/// A keypoint is hidden where something is nearer to the camera along its ray, by more than the
-/// tolerance. Where that is the object itself, what the surface's slope accounts for within the
-/// pixel is let through. So one a little below its own surface is visible; so is one whose pixel
-/// shows what is behind it, at the object's outline. Distances are from the camera's centre, so
-/// that it holds for lenses that see past 90 degrees.
+/// A keypoint is hidden if something along its ray is nearer to the camera by more than the
+/// tolerance. If that is the object itself, a difference that the slope of its surface explains
+/// within the pixel is tolerated. So a keypoint a little below its own surface is visible; so is
+/// one at the object's outline whose pixel shows what is behind it. Distances are from the camera's
+/// centre, so that this also works for lenses that see past 90 degrees.
 ///
-/// @param keypoints  their `pixel` is known; their `state` is set
-/// @param p_C  where they are in the optical frame [m], in the same order
+/// @param keypoints  with known `pixel`; their `state` is set
+/// @param p_C  the keypoints' positions in the optical frame [m], in the same order
 /// @param instance  the object's value in `ids`
-/// @param ids  CV_32SC1 of the image's size: whom each pixel sees
-/// @param range  of the same pixels; asked for few of them
+/// @param ids  CV_32SC1 of the image's size: the instance that each pixel shows
+/// @param range  of the same pixels; called for few of them
 /// @param tolerance  [m]
 void findKeypointStates(std::vector<Keypoint>& keypoints, const std::vector<Eigen::Vector3d>& p_C,
                         int instance, const cv::Mat& ids, const RangeAt& range,

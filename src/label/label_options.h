@@ -8,7 +8,7 @@ namespace synthetic_dataset::label {
 struct Mog2Options {
   int history_length = 100;      ///< pictures of the background that the model is trained on
   double var_threshold = 500.0;  ///< on the squared Mahalanobis distance of a pixel to the model
-  bool detect_shadows = false;   ///< mark what is only darker than the background as shadow
+  bool detect_shadows = false;   ///< mark what is merely darker than the background as shadow
 };
 
 /// How masks are found.
@@ -19,7 +19,7 @@ enum class MaskMethod {
 
 struct MaskOptions {
   MaskMethod method = MaskMethod::kExact;
-  bool method_is_given = false;  ///< else it follows from `background_subtractor`
+  bool method_is_given = false;  ///< otherwise it follows from `background_subtractor`
   label::Mog2Options mog2;
   bool clean = true;  ///< fill holes and remove specks
 };
@@ -27,15 +27,15 @@ struct MaskOptions {
 /// Which objects get labels.
 struct LabelOptions {
   double min_visibility = 0.0;       ///< 0 .. 1; 0: no threshold
-  std::int64_t min_pixels = 0;       ///< visible ones; 0: no threshold
-  double keypoint_tolerance = 0.01;  ///< [m] behind what is seen, and still visible
-  bool follows_rows = true;          ///< labels of a rolling shutter are of each row's time
+  std::int64_t min_pixels = 0;       ///< visible pixels; 0: no threshold
+  double keypoint_tolerance = 0.01;  ///< [m] behind the seen surface, and still visible
+  bool follows_rows = true;          ///< with a rolling shutter, labels are of each row's time
 
   [[nodiscard]] bool hasThresholds() const { return min_visibility > 0.0 || min_pixels > 0; }
 };
 
-/// By how much something has to be nearer to the camera than what the world has there, to be
-/// something that the world does not have: what depth cameras, models and poses err.
+/// By how much something has to be nearer to the camera than the world's surface at that pixel to
+/// count as something that is not in the world: the errors of depth cameras, models and poses.
 struct OcclusionMargin {
   double least = 0.1;    ///< [m]
   double growth = 0.02;  ///< of the distance

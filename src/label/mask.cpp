@@ -35,7 +35,7 @@ int replaceSmallRegions(cv::Mat& mask, unsigned char value, int largest, int con
 
 cv::Mat cleanMask(const cv::Mat& raw) {
   cv::Mat mask = raw == kForeground;
-  // A hole is closed when it touches the outside at most by a corner: 4-connected background,
+  // A hole is filled if it touches the outside at most by a corner: 4-connected background,
   // 8-connected object.
   replaceSmallRegions(mask, 0, kLargestHole, 4, kForeground);
   cv::Mat without_specks = mask.clone();

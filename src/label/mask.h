@@ -4,13 +4,13 @@
 
 namespace synthetic_dataset::label {
 
-/// A raw background subtraction made into an instance mask, 0 or 255:
-/// - shadow (127) is not the object;
+/// Turns a raw background subtraction into an instance mask, 0 or 255:
+/// - shadow (127) does not belong to the object;
 /// - holes of at most `kLargestHole` pixels are filled: there the object happens to have the
 ///   background's colour;
 /// - specks of at most `kLargestSpeck` pixels are removed, unless that would leave nothing.
 /// Outlines are left as they are, so a mask without holes and specks stays bit for bit the same.
-/// @param raw  CV_8UC1 as Mog2Segmenter gives it
+/// @param raw  CV_8UC1 from Mog2Segmenter
 [[nodiscard]] cv::Mat cleanMask(const cv::Mat& raw);
 
 inline constexpr int kLargestHole = 24;

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::label {
 namespace {
 
-/// Whether views are the same; a camera's focal lengths may change.
+/// Whether views are the same; a camera's focal lengths may have changed.
 bool isSame(const render::View& a, const render::View& b) {
   return a.X_WC.matrix() == b.X_WC.matrix() && a.camera.intrinsics() == b.camera.intrinsics();
 }
@@ -29,17 +29,17 @@ MaskFinder::MaskFinder(const world::World& world, render::Renderer& renderer,
   }
 }
 
-PendingMasks MaskFinder::find(const TakenView& view, const std::vector<SceneObject>& objects) {
+PendingMasks MaskFinder::find(const CapturedView& view, const std::vector<SceneObject>& objects) {
   const cv::Size size = view.size();
   without_objects_ = presentOf(linksOf(kNoObject, world_.links()), view.present());
   object_links_.clear();
   std::vector<cv::Rect> boxes;
-  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
+  cv::Rect all;  // OpenCV's union of an empty rectangle and another is the other
   for (std::size_t i = 0; i < objects.size(); ++i) {
     object_links_.push_back(presentOf(all_object_links_[i], view.present()));
     boxes.emplace_back();
     if (!objects[i].inView(view.camera())) continue;
-    // Not its own box: the shape that the user gives may be smaller than what is seen.
+    // Not the object's own box: the shape that the user gives may be smaller than what is seen.
     const cv::Rect reach = view.reach(object_links_[i], renderer_);
     boxes.back() = reach & cv::Rect(cv::Point(), size);
     all |= boxes.back();
@@ -72,7 +72,8 @@ PendingMasks MaskFinder::find(const TakenView& view, const std::vector<SceneObje
   };
 }
 
-/// The objects that have a box, in groups of which none can be seen in the box of another.
+/// Groups the objects that have a box so that no object can be seen in the box of another one of
+/// its group.
 std::vector<std::vector<std::size_t>> MaskFinder::apart(const std::vector<cv::Rect>& boxes) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -90,7 +91,7 @@ std::vector<std::vector<std::size_t>> MaskFinder::apart(const std::vector<cv::Re
   return groups;
 }
 
-void MaskFinder::takeBackground(const TakenView& view, const cv::Rect& region) {
+void MaskFinder::takeBackground(const CapturedView& view, const cv::Rect& region) {
   // Compared exactly: a scene's masks must not depend on which scene was made before it.
   const render::View* at_once = view.atOnce();
   const bool stands_still = background_ && background_->view && at_once != nullptr &&
@@ -98,8 +99,8 @@ void MaskFinder::takeBackground(const TakenView& view, const cv::Rect& region) {
                             background_->prop_revision == world_.propRevision() &&
                             background_->look_revision == renderer_.lookRevision();
   if (stands_still && (background_->region & region) == region) return;
-  // MOG2 judges each pixel by itself, so pixels outside of all boxes need not be drawn. Where
-  // nothing but the objects moves, the whole picture is good for all scenes to come.
+  // MOG2 judges each pixel by itself, so pixels outside of all boxes need not be drawn. If nothing
+  // but the objects moves, the whole picture can be used for all later scenes.
   const cv::Rect drawn = stands_still ? cv::Rect(cv::Point(), view.size()) : region;
   background_ = Background{
       at_once != nullptr ? std::optional(*at_once) : std::nullopt, world_.propRevision(),
@@ -107,9 +108,10 @@ void MaskFinder::takeBackground(const TakenView& view, const cv::Rect& region) {
       std::make_shared<BackgroundModel>(draw(view, without_objects_, {drawn}), options_, clean_)};
 }
 
-render::PendingPicture MaskFinder::draw(const TakenView& view, const render::LinkSelection& drawn,
+render::PendingPicture MaskFinder::draw(const CapturedView& view,
+                                        const render::LinkSelection& drawn,
                                         const std::vector<cv::Rect>& regions) {
-  // Without shadows, and with pixels sampled at their centres alone, what differs from the
+  // Without shadows, and with pixels sampled only at their centres, what differs from the
   // background is the object and nothing around it.
   return view.draw({drawn, nothing_, render::Sampling::kCentre, regions}, renderer_);
 }

@@ -43,7 +43,7 @@ cv::Mat BackgroundModel::segment(const cv::Mat& alone, const cv::Rect& box) {
   if (picture_) segmenter_.train(std::exchange(picture_, {})());
   cv::Mat raw = segmenter_.segment(alone, box);
   if (!clean_) return raw;
-  // What is around the box distinguishes holes from bays.
+  // The pixels around the box distinguish holes from bays.
   constexpr int kRound = label::kLargestHole + 1;
   const cv::Rect bounds =
       cv::Rect(box.x - kRound, box.y - kRound, box.width + 2 * kRound, box.height + 2 * kRound) &

@@ -12,24 +12,25 @@
 
 namespace synthetic_dataset::label {
 
-/// Finds an object by what changed in the picture: the paper's way to masks.
+/// Finds an object by what has changed in the picture: how the paper obtains masks.
 ///
-/// Zivkovic, "Improved adaptive Gaussian mixture model for background subtraction" (ICPR 2004), as
-/// OpenCV has it: cv::BackgroundSubtractorMOG2. Each pixel is judged by itself, so only the tiles
-/// of a picture that are looked at are learned.
+/// Zivkovic, "Improved adaptive Gaussian mixture model for background subtraction" (ICPR 2004), in
+/// OpenCV's implementation, cv::BackgroundSubtractorMOG2. Each pixel is judged independently, so
+/// only the tiles of a picture that are needed are learned.
 class Mog2Segmenter {
  public:
   explicit Mog2Segmenter(const Mog2Options& options) : options_(options) {}
 
-  /// Learns the picture without objects anew: it is shown history_length times, with OpenCV's
-  /// default learning rate. Our pictures have no noise, so they would all be equal.
+  /// Learns the picture without objects from scratch: it is shown history_length times, with
+  /// OpenCV's default learning rate. Our pictures have no noise, so all of them would be equal
+  /// anyway.
   /// @param background  CV_8UC3
   void train(const cv::Mat& background);
 
   /// The pixels that differ from the background: 255 foreground, 127 shadow, 0 background. The
   /// model does not learn from the picture (learning rate 0).
   /// @param image  of the background's size
-  /// @param region  the pixels that are looked at, within the image
+  /// @param region  the pixels to judge, within the image
   /// @return CV_8UC1 of the region's size
   /// @throws Error before the first train()
   [[nodiscard]] cv::Mat segment(const cv::Mat& image, const cv::Rect& region);
@@ -44,22 +45,22 @@ class Mog2Segmenter {
   std::map<std::pair<int, int>, Subtractor> tiles_;  ///< by row and column
 };
 
-/// The picture without objects that masks are found with; learned when it is first needed. May be
-/// used in any thread, by several at once.
+/// The model of the picture without objects that masks are found with; learned when it is first
+/// needed. May be used from several threads at once.
 class BackgroundModel {
  public:
   /// @param clean  fill holes and remove specks
   BackgroundModel(render::PendingPicture picture, const label::Mog2Options& options, bool clean)
       : picture_(std::move(picture)), segmenter_(options), clean_(clean) {}
 
-  /// What differs from the background.
-  /// @param alone  a picture with an object in a box, and nothing else that disturbs there
+  /// The pixels that differ from the background.
+  /// @param alone  a picture with an object in a box, and no other object in that box
   /// @return CV_8UC1 of the box's size: 255 or 0
   [[nodiscard]] cv::Mat segment(const cv::Mat& alone, const cv::Rect& box);
 
  private:
-  std::mutex mutex_;                ///< of all
-  render::PendingPicture picture_;  ///< none once it is learned
+  std::mutex mutex_;                ///< guards all members
+  render::PendingPicture picture_;  ///< empty once it has been learned
   label::Mog2Segmenter segmenter_;
   bool clean_;
 };

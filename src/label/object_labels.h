@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::label {
 
-/// What is known of an object whatever the scene.
+/// Properties of an object that are the same in every scene.
 struct ObjectShape {
   std::string name;
   std::string class_text;
@@ -21,9 +21,9 @@ struct ObjectShape {
   Cuboid cuboid_O;
 };
 
-/// All of an object's labels that follow from its pose alone: no masks, and
-/// nothing of what hides what.
-/// @param X_GO  nothing: it is not in the scene
+/// All of an object's labels that follow from its pose alone: no masks, and nothing about
+/// occlusion.
+/// @param X_GO  nothing if it is not in the scene
 [[nodiscard]] SceneObject labelObject(const ObjectShape& shape, const std::optional<Pose>& X_GO,
                                       const Pose& X_GC, const CameraModel& camera);
 

@@ -13,7 +13,7 @@ namespace synthetic_dataset::label {
 /// LinkInstance::object of links that belong to no object.
 inline constexpr int kNoObject = -1;
 
-/// Which links are those of an object, or of kNoObject.
+/// Selects the links of an object, or those that belong to no object (kNoObject).
 [[nodiscard]] inline render::LinkSelection linksOf(int object,
                                                    const std::vector<world::LinkInstance>& links) {
   render::LinkSelection selection;

@@ -15,7 +15,7 @@ double shareOf(std::int64_t part, std::int64_t all) {
 
 cv::Mat coveredPixels(const cv::Mat& known, const cv::Mat& measured,
                       const OcclusionMargin& margin) {
-  constexpr float kFarAway = 1e6F;  // [m] of the sky
+  constexpr float kFarAway = 1e6F;  // [m], for the sky
   cv::Mat nearest = known.clone();
   nearest.setTo(kFarAway, known <= 0.0F);
   const int side = 2 * kNeighbours + 1;

@@ -12,7 +12,8 @@
 namespace synthetic_dataset::label {
 namespace {
 
-/// What takes a point of each link from its place in the camera's frame to its next one there.
+/// For each link, the transform that takes a point of it from its position in the camera's frame to
+/// its next position there.
 std::vector<Pose> motions(const Pose& X_WC, const std::vector<Pose>& X_WL, const Pose& X_WC_next,
                           const std::vector<Pose>& X_WL_next) {
   const Pose X_CW_next = X_WC_next.inverse();
@@ -26,11 +27,11 @@ std::vector<Pose> motions(const Pose& X_WC, const std::vector<Pose>& X_WL, const
 
 constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 
-/// @param move  finds the place that a pixel moves to, if any; is called in several threads
+/// @param move  finds where a pixel moves to, if anywhere; is called in several threads
 cv::Mat flowOf(const cv::Size& size,
                const std::function<std::optional<Eigen::Vector2d>(int v, int u)>& move) {
   cv::Mat flow(size, CV_32FC2, cv::Scalar::all(static_cast<double>(kNowhere)));
-  // Rows are worked on side by side; no two calls share a pixel.
+  // Rows are processed in parallel; no two calls share a pixel.
   cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) {
       for (int u = 0; u < size.width; ++u) {

@@ -15,9 +15,9 @@
 namespace synthetic_dataset::label {
 namespace {
 
-/// What number the link has that each pixel shows; 0 where there is nothing. CV_16UC1.
+/// Maps each pixel to the number of the link that it shows; 0 where there is nothing. CV_16UC1.
 /// @param links  CV_32SC1: a link's index + 1, 0 for nothing
-/// @param numbers  of the links, in their order
+/// @param numbers  of the links, in the links' order
 cv::Mat mapOfLinks(const cv::Mat& links, const std::vector<std::uint16_t>& numbers) {
   cv::Mat map(links.size(), CV_16UC1);
   for (int row = 0; row < links.rows; ++row) {
@@ -29,7 +29,7 @@ cv::Mat mapOfLinks(const cv::Mat& links, const std::vector<std::uint16_t>& numbe
   return map;
 }
 
-/// Distances from the camera's centre of what was drawn [m], 0 where nothing is.
+/// Distances of the drawn surfaces from the camera's centre [m], 0 where there is nothing.
 cv::Mat rangesOf(const render::LabelImages& images, const CameraModel& camera) {
   if (render::hasDistortion(camera)) return images.range.clone();
   const Intrinsics& k = camera.intrinsics();
@@ -44,7 +44,7 @@ cv::Mat rangesOf(const render::LabelImages& images, const CameraModel& camera) {
   return std::move(ranges);
 }
 
-PlacedKeypoints placedKeypoints(const TakenView& view, Scene& scene) {
+PlacedKeypoints placedKeypoints(const CapturedView& view, Scene& scene) {
   if (view.rows() != nullptr) return labelInRows(*view.rows(), scene);
   PlacedKeypoints placed;
   for (const SceneObject& object : scene.objects) {
@@ -55,7 +55,7 @@ PlacedKeypoints placedKeypoints(const TakenView& view, Scene& scene) {
   return placed;
 }
 
-/// A map of numbers with 0 where something hides what it has.
+/// The map with 0 at covered pixels.
 cv::Mat without(const cv::Mat& covered, const cv::Mat& map) {
   cv::Mat rest = map.clone();
   rest.setTo(0, covered);
@@ -95,16 +95,16 @@ PixelLabeller::PixelLabeller(const world::World& world, render::Renderer& render
 
 bool PixelLabeller::usesSubtraction() const { return options_.masks.method == MaskMethod::kMog2; }
 
-SeenPixels PixelLabeller::look(const TakenView& view, Scene& scene) {
+SeenPixels PixelLabeller::look(const CapturedView& view, Scene& scene) {
   pass_.drawn = view.present();
-  // Without a lens the distances that keypoints ask for follow from the depths.
+  // Without distortion, the distances that keypoint states need follow from the depths.
   pass_.range =
       requirements_.optical_flow || ((requirements_.keypoint_states || options_.occlusion) &&
                                      render::hasDistortion(view.camera()));
   PlacedKeypoints keypoints = placedKeypoints(view, scene);
   const render::LabelImages images =
       needs_labels_ ? view.labels(pass_, renderer_) : render::LabelImages();
-  // After that, the renderer knows most silhouettes.
+  // Only after drawing the labels, when the renderer already knows most silhouettes.
   if (needs_silhouettes_) measureSilhouettes(view, scene);
   if (!needs_labels_) {
     return {{}, [](Scene&, const cv::Mat& /*measured*/) { return LabelFindings(); }};
@@ -144,7 +144,7 @@ LabelFindings PixelLabeller::labelPixels(render::LabelImages images, const Pendi
   return findings;
 }
 
-/// Takes what is hidden out of what was drawn, and puts what hides it there.
+/// Removes hidden pixels from the drawn images, and replaces their ranges by the measured ones.
 void PixelLabeller::cut(const cv::Mat& covered, const cv::Mat& measured,
                         render::LabelImages& images, Scene& scene) const {
   images.ids = without(covered, images.ids);
@@ -162,7 +162,7 @@ void PixelLabeller::addImages(const render::LabelImages& images, Scene& scene) c
   if (requirements_.part_map) scene.part_map = label::mapOfLinks(images.links, options_.parts);
 }
 
-void PixelLabeller::measureSilhouettes(const TakenView& view, Scene& scene) {
+void PixelLabeller::measureSilhouettes(const CapturedView& view, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     SceneObject& object = scene.objects[i];
     render::Silhouette silhouette;
@@ -177,7 +177,7 @@ void PixelLabeller::measureSilhouettes(const TakenView& view, Scene& scene) {
   }
 }
 
-/// @param covered  what does not belong to any object; empty: nothing
+/// @param covered  pixels that do not belong to any object; empty if there are none
 /// @param subtracted  none for exact masks
 MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const cv::Mat& covered,
                                       const PendingMasks& subtracted, Scene& scene) const {
@@ -189,13 +189,13 @@ MaskAgreement PixelLabeller::addMasks(const cv::Mat& ids, const cv::Mat& covered
   for (std::size_t i = 0; i < count; ++i) {
     SceneObject& object = scene.objects[i];
     object.pixels.visible = parts[i].count;
-    distances.push_back(object.X_CO ? object.distance() : 0.0);  // without any pixel
+    distances.push_back(object.X_CO ? object.distance() : 0.0);  // unused: it has no pixels
   }
   if (subtracted) {
     std::vector<Mask> masks = subtracted();
     for (std::size_t i = 0; i < count; ++i) {
       if (requirements_.silhouettes) scene.objects[i].silhouette = masks[i];
-      // What no pixel's centre sees may still colour the edge of some pixels.
+      // A surface that no pixel's centre sees may still colour the edges of some pixels.
       if (parts[i].count == 0) masks[i] = Mask();
     }
     cv::Mat layered = label::layeredInstanceMap(masks, ids, distances);

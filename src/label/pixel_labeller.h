@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "label/captured_view.h"
 #include "label/instance_map.h"
 #include "label/label_options.h"
 #include "label/mask_finder.h"
 #include "label/occlusion.h"
-#include "label/taken_view.h"
 #include "render/renderer.h"
 #include "synthetic_dataset/label_writer.h"
 #include "synthetic_dataset/scene.h"
@@ -17,7 +17,7 @@
 
 namespace synthetic_dataset::label {
 
-/// How labels are taken from pixels.
+/// How labels are derived from pixels.
 struct PixelLabelOptions {
   MaskOptions masks;
   LabelOptions labels;
@@ -25,65 +25,66 @@ struct PixelLabelOptions {
   std::vector<std::uint16_t> world_classes;  ///< of the links: their values in Scene::world_map
   std::vector<std::uint16_t> parts;          ///< of the links: their values in Scene::part_map
 
-  /// Where something was measured in front of an object, this says from which distance on it hides
-  /// that; nothing where nothing is measured.
+  /// How far in front of an object something has to be measured to hide it; nothing if nothing is
+  /// measured.
   std::optional<OcclusionMargin> occlusion = std::nullopt;
 };
 
-/// What is kept of a scene's pixels until it is known where they go.
+/// What is kept of a scene's pixels until it is known where the points that they show move to.
 struct SeenSurface {
   cv::Mat depth;
   cv::Mat range;
   cv::Mat links;
 };
 
-/// Whether labels need to know what each pixel shows. Else nobody knows what hides an object.
+/// Whether labels need to know what each pixel shows. If not, it is unknown what hides an object.
 [[nodiscard]] bool looksAtPixels(const Requirements& requirements, const MaskOptions& masks,
                                  const LabelOptions& labels);
 
-/// How well each object's visible mask of background subtraction agrees with the exact one:
-/// intersection over union, nothing where there is neither. Empty where nothing was subtracted.
+/// How well each object's visible mask from background subtraction agrees with the exact one:
+/// intersection over union; nothing for an object that the exact masks do not show. Empty if
+/// nothing was subtracted.
 using MaskAgreement = std::vector<std::optional<double>>;
 
-/// What is known of a scene's labels beside them.
+/// What is known about a scene's labels besides the labels themselves.
 struct LabelFindings {
   MaskAgreement agreement;
-  std::vector<ObjectCover> covers;  ///< of each object; empty where nothing was measured
+  std::vector<ObjectCover> covers;  ///< of each object; empty if nothing was measured
 };
 
-/// Adds the labels that follow from what has been seen; in any thread, as long as the labeller and
-/// the renderer live.
-/// @param measured  CV_32FC1: at what distance from the camera's centre something was measured
-/// along
-///     each pixel's ray [m], 0 where nothing was; what the world has behind it is not seen. Empty:
-///     nothing was measured
+/// Adds the labels that follow from what was seen. May be called in any thread, as long as the
+/// labeller and the renderer live.
+/// @param measured  CV_32FC1: the distance from the camera's centre at which something was measured
+///     along each pixel's ray [m], 0 where nothing was; surfaces of the world behind it are not
+///     seen. Empty if nothing was measured
 using PendingLabels = std::function<LabelFindings(Scene&, const cv::Mat& measured)>;
 
-/// Of each object, its keypoints in the optical frame [m]; empty for one that is not in the scene.
+/// The keypoints of each object in the optical frame [m]; empty for an object that is not in the
+/// scene.
 using PlacedKeypoints = std::vector<std::vector<Eigen::Vector3d>>;
 
-/// What was seen for a scene.
+/// What was seen in a scene.
 struct SeenPixels {
-  SeenSurface surface;  ///< what its optical flow needs; empty unless that is required
+  SeenSurface surface;  ///< what the optical flow needs; empty unless that is required
   PendingLabels labels;
 };
 
-/// Labels that follow from one camera's pixels: masks, measures, what hides what, maps. Computes
-/// what the requirements ask for, and nothing else.
+/// Labels that follow from one camera's pixels: masks, measures, occlusion, maps. Computes only
+/// what the requirements ask for.
 class PixelLabeller {
  public:
   /// All references have to outlive this.
   PixelLabeller(const world::World& world, render::Renderer& renderer, std::size_t object_count,
                 const Requirements& requirements, const PixelLabelOptions& options);
 
-  /// Draws what labels are taken from, and adds the first of them.
-  /// @param scene  whose objects have all labels that follow from their poses; where rows are taken
-  ///     one after the other, they get those of the rows' times
-  [[nodiscard]] SeenPixels look(const TakenView& view, Scene& scene);
+  /// Draws the images that labels are derived from, and adds the first labels.
+  /// @param scene  whose objects have all labels that follow from their poses; if rows are taken
+  ///     one after the other, these are replaced by those of the rows' times
+  [[nodiscard]] SeenPixels look(const CapturedView& view, Scene& scene);
 
  private:
   void addImages(const render::LabelImages& images, Scene& scene) const;
-  void measureSilhouettes(const TakenView& view, Scene& scene);
+  void measureSilhouettes(const CapturedView& view, Scene& scene);
   [[nodiscard]] LabelFindings labelPixels(render::LabelImages images, const PendingMasks& masks,
                                           const PlacedKeypoints& keypoints, const cv::Mat& measured,
                                           Scene& scene) const;

@@ -6,9 +6,9 @@
 namespace synthetic_dataset::label {
 namespace {
 
-/// The poses of the objects in the place of the links'. One that is not there at some time does
-/// not move.
-render::RollingView viewOfObjects(const TakenInRows& taken) {
+/// The view with the objects' poses in place of the links'. An object that is absent at a moment
+/// has the identity pose there.
+render::RollingView viewOfObjects(const CapturedRows& taken) {
   render::RollingView view{taken.view.camera, {}, taken.view.bands};
   for (std::size_t i = 0; i < taken.view.moments.size(); ++i) {
     const render::RollingMoment& moment = taken.view.moments[i];
@@ -20,7 +20,7 @@ render::RollingView viewOfObjects(const TakenInRows& taken) {
   return view;
 }
 
-/// Labels an object where the picture has it.
+/// Labels an object where it appears in the picture.
 /// @return its keypoints in the optical frame
 std::vector<Eigen::Vector3d> placedObject(const RowFinder& rows, std::size_t index,
                                           SceneObject& object, const CameraModel& camera) {
@@ -59,7 +59,7 @@ std::optional<PointInRows> RowFinder::find(std::size_t body, const Eigen::Vector
     const auto distance = [&](const PointInRows& at) { return std::abs(at.pixel.y() - middle); };
     if (found && (!nearest || distance(*found) < distance(*nearest))) nearest = found;
   };
-  std::optional<double> before;  // by how many rows the point is below the one that is taken
+  std::optional<double> before;  // by how many rows the point is below the row being taken
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const Eigen::Vector3d p_C = X_CB_[body][i] * p_B;
     const auto pixel = view_.camera.project(p_C);
@@ -74,8 +74,9 @@ std::optional<PointInRows> RowFinder::find(std::size_t body, const Eigen::Vector
   return nearest;
 }
 
-/// @param moment  after the time that is looked for
-/// @param before, after  how far below the row that is taken the point is then; of unequal signs
+/// @param moment  the first one after the time that is looked for
+/// @param before, after  how far the point is below the row being taken, at the previous moment and
+///     at this one; of opposite signs
 std::optional<PointInRows> RowFinder::between(std::size_t body, const Eigen::Vector3d& p_B,
                                               std::size_t moment, double before,
                                               double after) const {
@@ -84,7 +85,7 @@ std::optional<PointInRows> RowFinder::between(std::size_t body, const Eigen::Vec
   double first = view_.moments[moment - 1].row;
   double last = view_.moments[moment].row;
   std::optional<PointInRows> found;
-  // Regula falsi; an end that stays loses half of its weight (the Illinois method).
+  // Regula falsi; an end that stays is given half its weight (the Illinois method).
   for (int step = 0; step < kMostSteps; ++step) {
     const double row = last - after * (last - first) / (after - before);
     const Eigen::Vector3d p_C = view_.X_CL(body, row) * p_B;
@@ -105,7 +106,7 @@ std::optional<PointInRows> RowFinder::between(std::size_t body, const Eigen::Vec
   return found;
 }
 
-std::vector<std::vector<Eigen::Vector3d>> labelInRows(const TakenInRows& taken, Scene& scene) {
+std::vector<std::vector<Eigen::Vector3d>> labelInRows(const CapturedRows& taken, Scene& scene) {
   const render::RollingView view = viewOfObjects(taken);
   std::vector<bool> present;
   for (const SceneObject& object : scene.objects) present.push_back(object.X_CO.has_value());

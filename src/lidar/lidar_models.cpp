@@ -10,7 +10,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 double radians(double degrees) { return degrees * kPi / 180.0; }
 
-/// Velodyne's scanners turn clockwise, seen from above; a sweep begins behind.
+/// Velodyne's scanners turn clockwise, seen from above; a sweep begins at the back.
 LidarModel velodyne(std::vector<double> elevations, double column_period) {
   LidarModel model;
   model.elevations = std::move(elevations);
@@ -21,7 +21,7 @@ LidarModel velodyne(std::vector<double> elevations, double column_period) {
   return model;
 }
 
-/// The lower half of the rings and the upper one take turns, from the lowest of each.
+/// The lower and the upper half of the rings fire alternately, each from its lowest ring up.
 std::vector<double> alternatingTimes(std::size_t rings, double laser_period) {
   std::vector<double> times;
   for (std::size_t ring = 0; ring < rings; ++ring) {
@@ -32,8 +32,8 @@ std::vector<double> alternatingTimes(std::size_t rings, double laser_period) {
   return times;
 }
 
-/// Velodyne, "VLP-16 User Manual", 63-9243 Rev. E: 16 lasers from -15 to 15 degrees, one each
-/// 2.304 us, all in 55.296 us; up to 100 m, +-3 cm, 2 mm.
+/// Velodyne, "VLP-16 User Manual", 63-9243 Rev. E: 16 lasers from -15 to 15 degrees, one every
+/// 2.304 us, all in 55.296 us; up to 100 m, accuracy +-3 cm, resolution 2 mm.
 LidarModel vlp16() {
   LidarModel model = velodyne(evenAngles(16, radians(-15.0), radians(15.0)), 55.296e-6);
   model.firing_times = alternatingTimes(16, 2.304e-6);
@@ -44,7 +44,7 @@ LidarModel vlp16() {
 }
 
 /// Velodyne, "HDL-32E User Manual", 63-9113 Rev. M: 32 lasers from -30.67 to 10.67 degrees, one
-/// each 1.152 us, all in 46.08 us; up to 100 m, +-2 cm, 2 mm.
+/// every 1.152 us, all in 46.08 us; up to 100 m, accuracy +-2 cm, resolution 2 mm.
 LidarModel hdl32e() {
   LidarModel model = velodyne(evenAngles(32, radians(-92.0 / 3.0), radians(32.0 / 3.0)), 46.08e-6);
   model.firing_times = alternatingTimes(32, 1.152e-6);
@@ -55,9 +55,9 @@ LidarModel hdl32e() {
 }
 
 /// Velodyne, "HDL-64E S2 and S2.1 User's Manual", 63-HDL64ES2 Rev. D: a block of 32 lasers from
-/// -24.33 to -8.83 degrees each half degree, one from -8.33 to 2 each third of a degree; 0.1728
-/// degrees from column to column at 10 Hz; 50 m at a reflectivity of 10 %, 120 m at 80 %; below
-/// 2 cm. Its lasers are taken to fire together.
+/// -24.33 to -8.83 degrees, half a degree apart, and one from -8.33 to 2 degrees, a third of a
+/// degree apart; 0.1728 degrees from column to column at 10 Hz; 50 m at a reflectivity of 10 %, 120
+/// m at 80 %; accuracy below 2 cm. Its lasers are assumed to fire together.
 LidarModel hdl64e() {
   std::vector<double> elevations = evenAngles(32, radians(-73.0 / 3.0), radians(-53.0 / 6.0));
   for (const double angle : evenAngles(32, radians(-25.0 / 3.0), radians(2.0))) {
@@ -72,9 +72,10 @@ LidarModel hdl64e() {
 }
 
 /// Ouster, "OS1 Mid-Range High-Resolution Imaging Lidar" data sheet, Rev. 06: a field of view of 45
-/// degrees, 512, 1024 or 2048 columns at 10 or 20 Hz, all beams at a time, the uppermost first;
-/// 120 m at 80 % reflectivity, 45 m at 10 %; 1 to 5 cm, in steps of 1 mm. Clockwise. The beams'
-/// offsets in azimuth are each device's own: `beams/azimuth_offsets` takes its metadata's.
+/// degrees, 512, 1024 or 2048 columns at 10 or 20 Hz, all beams at once, numbered from the top; 120
+/// m at 80 % reflectivity, 45 m at 10 %; precision 1 to 5 cm, in steps of 1 mm. Clockwise. The
+/// beams' azimuth offsets differ from device to device: `beams/azimuth_offsets` takes those of its
+/// metadata.
 LidarModel os1(int rings) {
   LidarModel model;
   model.elevations = evenAngles(rings, radians(22.5), radians(-22.5));
@@ -88,8 +89,8 @@ LidarModel os1(int rings) {
   return model;
 }
 
-/// Hokuyo, "UTM-30LX Specification", C-42-3615: 270 degrees in steps of a quarter, 25 ms a turn,
-/// 0.1 to 30 m, 1 cm of standard deviation up to 10 m, in millimetres. Counter-clockwise.
+/// Hokuyo, "UTM-30LX Specification", C-42-3615: 270 degrees in steps of a quarter, 25 ms per turn,
+/// 0.1 to 30 m, a standard deviation of 1 cm up to 10 m, in steps of 1 mm. Counter-clockwise.
 LidarModel utm30lx() {
   LidarModel model;
   model.elevations = {0.0};

@@ -24,7 +24,7 @@ std::string carrierOf(const LidarOptions& config,
               didYouMean(*config.on, names));
 }
 
-/// A scanner as a world's file has it, turning once for each of its sweeps.
+/// The model of a scanner that a world file describes, turning once per sweep.
 LidarModel modelOf(const world::LidarSensor& sensor) {
   LidarModel model;
   model.elevations =
@@ -32,7 +32,7 @@ LidarModel modelOf(const world::LidarSensor& sensor) {
   model.columns = sensor.azimuth.count;
   model.first_azimuth = sensor.azimuth.first;
   model.last_azimuth = sensor.azimuth.last;
-  // Of a whole turn, Gazebo's first ray and its last are one.
+  // For a whole turn, Gazebo's first and last ray coincide.
   if (isWholeTurn(model) && model.columns > 1) --model.columns;
   model.rate = sensor.update_rate > 0.0 ? sensor.update_rate : model.rate;
   model.min_range = sensor.min_range;
@@ -42,7 +42,7 @@ LidarModel modelOf(const world::LidarSensor& sensor) {
   return model;
 }
 
-/// The model of a world's sensor, with what is set beside it.
+/// The model of a world's sensor, with the settings that override it.
 LidarModel modelOf(const world::LidarSensor& sensor, const LidarOptions& config) {
   LidarModel model = modelOf(sensor);
   config.changes.apply(model);
@@ -58,7 +58,7 @@ LidarModel modelOf(const world::LidarSensor& sensor, const LidarOptions& config)
               " m, so that nothing would be left");
 }
 
-/// Where a sensor is that no setting and no frame of its own puts anywhere.
+/// Places a sensor as in the world, if neither a setting nor a frame of its own places it.
 void mountAsInWorld(const LidarOptions& config, const world::LidarSensor& sensor,
                     const std::vector<world::LinkInstance>& links, LidarRig& rig) {
   rig.link = base::namingPlace(config.group + "/sensor",

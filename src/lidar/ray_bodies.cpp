@@ -34,7 +34,7 @@ struct SceneRelease {
 };
 using BodyScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneRelease>;
 
-/// A surface and its mesh's corners in its body's frame, which Embree refers to.
+/// A surface, with its mesh's corners in its body's frame; Embree refers to both.
 struct HeldSurface {
   const RaySurface* surface = nullptr;
   std::size_t index = 0;
@@ -47,13 +47,14 @@ struct HeldSurface {
   }
 };
 
-/// What the filter knows of a ray beside what Embree hands on; the context is its first member.
+/// What the filter needs to know about a ray beyond what Embree passes to it; the context has to be
+/// the first member.
 struct Query {
   QueryContext context;
   const Paint* paint;
 };
 
-/// What Embree throws away of a ray's way: backs of surfaces, and holes.
+/// Embree's filter function: rejects hits on the backs of surfaces, and in holes.
 void filter(const RTCFilterFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
   const auto& held = *static_cast<const HeldSurface*>(arguments->geometryUserPtr);
@@ -83,7 +84,7 @@ void refine(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3
   const Eigen::Vector3d edge2 = triangle[2] - triangle[0];
   const Eigen::Vector3d across = direction.cross(edge2);
   const double determinant = edge1.dot(across);
-  if (determinant == 0.0) return;  // it grazes: what Embree has found is as good as anything
+  if (determinant == 0.0) return;  // a grazing ray: keeps Embree's result
   const Eigen::Vector3d from_corner = origin - triangle[0];
   const Eigen::Vector3d normal = from_corner.cross(edge1);
   hit.distance = edge2.dot(normal) / determinant;
@@ -94,7 +95,7 @@ void refine(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3
 }  // namespace
 
 struct RayBodies::Impl {
-  // The same instructions on every processor; one thread builds the same tree each time.
+  // The same instructions on every processor, and one thread, which builds the same tree each time.
   Device device{rtcNewDevice("isa=sse2,threads=1,set_affinity=0")};
   std::vector<RaySurface> surfaces;
   std::deque<HeldSurface> held;  ///< of all surfaces
@@ -103,7 +104,7 @@ struct RayBodies::Impl {
 
   void attach(RTCScene scene, HeldSurface& surface) const {
     const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads 16 bytes of each corner: there is one more behind the last.
+    // Embree reads 16 bytes per corner: the buffer has one more corner after the last.
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                surface.corners_B.data(), 0, sizeof(Eigen::Vector3f),
                                surface.corners_B.size() - 1);
@@ -149,7 +150,7 @@ std::size_t RayBodies::add(std::vector<RaySurface> surfaces) {
     impl.surfaces.push_back(std::move(surface));
     held_here.push_back(&held);
   }
-  // Only now do surfaces stay where they are.
+  // Only now are the addresses of the surfaces stable.
   for (HeldSurface& held : impl.held) held.surface = &impl.surfaces[held.index];
   for (const HeldSurface* held : held_here) impl.attach(scene.get(), impl.held[held->index]);
   rtcCommitScene(scene.get());

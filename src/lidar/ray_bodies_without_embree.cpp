@@ -18,7 +18,7 @@ std::string rayCasterVersion() { return ""; }
 RayBodies::RayBodies() { throw Error(howToCastRays()); }
 RayBodies::~RayBodies() = default;
 
-// They are members for what casts rays.
+// The implementation that casts rays needs them to be members.
 // NOLINTBEGIN(readability-convert-member-functions-to-static, performance-unnecessary-value-param)
 std::size_t RayBodies::add(std::vector<RaySurface> /*surfaces*/) { throw Error(howToCastRays()); }
 

@@ -14,24 +14,24 @@ namespace {
 using base::Placement;
 using motion::MeasuredPoint;
 
-/// From one surface on a ray's way to where the next one is looked for: what is nearer to one
-/// another is one surface [m].
+/// How far behind a hit the search for the next surface on a ray starts: hits nearer to one another
+/// count as one surface [m].
 constexpr double kApart = 1e-4;
 
-/// From one look at where the scanner is to the next.
+/// Time between two samples of the scanner's path.
 constexpr Duration kPathStep = std::chrono::microseconds(50);
 
-/// How far something may be from the line between where it was seen at two moments [m].
+/// How far something may deviate from the line between its positions at two moments [m].
 constexpr double kBend = 0.05;
 
-/// The way to a point.
+/// The ray to a point.
 struct PointRay {
   Eigen::Vector3d origin_W;
   Eigen::Vector3d direction_W;
   double range = 0.0;
 };
 
-/// Where a moving body's ball goes meanwhile.
+/// The box that a moving body's bounding sphere sweeps meanwhile.
 struct BodyWay {
   std::size_t moving = 0;  ///< its index in ScannedWorld::moving()
   Eigen::AlignedBox3d bounds_W;
@@ -89,12 +89,12 @@ class CloudLabeller {
   }
 
   /// @param time  from the stamp [ns]
-  [[nodiscard]] std::optional<MetSurface> surfaceAt(const PointRay& ray, const Eigen::Vector3d& p_W,
+  [[nodiscard]] std::optional<SurfaceHit> surfaceAt(const PointRay& ray, const Eigen::Vector3d& p_W,
                                                     double time) const {
-    std::optional<MetSurface> nearest;
+    std::optional<SurfaceHit> nearest;
     const auto consider = [&](const std::optional<RayHit>& hit, const Eigen::Matrix3d& R_WB) {
       if (!hit || (nearest && missOf(*hit, ray) >= missOf(nearest->hit, ray))) return;
-      nearest = MetSurface{*hit, R_WB};
+      nearest = SurfaceHit{*hit, R_WB};
     };
     if (world_.standing()) {
       consider(surfaceOf(*world_.standing(), ray.origin_W - world_.standingOrigin(),
@@ -118,8 +118,9 @@ class CloudLabeller {
     return std::abs(hit.distance - ray.range);
   }
 
-  /// The surface of a body that is nearest to a range along a ray, within the tolerance. What the
-  /// ray passes on its way does not count: it was not there, or the scanner saw through.
+  /// The surface of a body that is nearest to the given range along a ray, within the tolerance.
+  /// Surfaces that the ray passes before do not count: they were not there, or the scanner saw
+  /// through them.
   [[nodiscard]] std::optional<RayHit> surfaceOf(std::size_t body, const Eigen::Vector3d& origin_B,
                                                 const Eigen::Vector3d& direction_B,
                                                 double range) const {
@@ -183,7 +184,7 @@ LabelledCloud labelledCloud(const ScannedWorld& world, const motion::MeasuredClo
   std::vector<std::future<void>> bands;
   for (std::size_t begin = 0; begin < points.size(); begin += band) {
     const std::size_t end = std::min(begin + band, points.size());
-    // Deferred where no more threads are to be had.
+    // Deferred if no more threads are available.
     bands.push_back(std::async(std::launch::async | std::launch::deferred, [&, begin, end] {
       for (std::size_t i = begin; i < end; ++i) points[i] = labeller.label(measured.points[i]);
     }));

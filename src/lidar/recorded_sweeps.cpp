@@ -52,7 +52,7 @@ std::size_t RecordedSweeps::cloudOf(Stamp scene) const {
       [](const motion::CloudHead& head, Stamp stamp) { return head.stamp < stamp; });
   const auto index = own - heads.begin();
   if (own != heads.end() && own->stamp == wanted) return static_cast<std::size_t>(index);
-  // A middle is at most 1 s from its stamp, as cloud_points.h has it.
+  // A middle is at most 1 s from its cloud's stamp, see cloud_points.h.
   constexpr Duration kFarthest = std::chrono::seconds(1);
   const Duration far = 2 * kFarthest + options_.longest_distance;
   std::size_t nearest = static_cast<std::size_t>(std::max<std::ptrdiff_t>(index - 1, 0));

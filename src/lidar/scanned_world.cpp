@@ -11,7 +11,7 @@ namespace {
 
 using render::GlassInLabels;
 
-/// The surfaces of a link that rays meet.
+/// The surfaces of a link that rays can hit.
 /// @param X_BL  of the link in its body
 std::vector<RaySurface> surfacesOf(const world::LinkInstance& instance, std::size_t link,
                                    const Pose& X_BL, GlassInLabels glass) {
@@ -40,7 +40,7 @@ Eigen::AlignedBox3d boundsOf(const std::vector<RaySurface>& surfaces) {
   return bounds;
 }
 
-/// Where most surfaces are: one that stands far from all others does not move it.
+/// The median of the surfaces' centres: one that is far from all others does not shift it.
 Eigen::Vector3d middleOf(const std::vector<RaySurface>& surfaces) {
   std::vector<Eigen::Vector3d> centres;
   for (const RaySurface& surface : surfaces) centres.emplace_back(boundsOf({surface}).center());
@@ -74,7 +74,7 @@ ScannedWorld::ScannedWorld(const world::World& world, GlassInLabels glass)
         {link, bodies_.add(std::move(surfaces)), bounds.center(), 0.5 * bounds.diagonal().norm()});
   }
   if (standing.empty()) return;
-  // Single precision is fine near the origin: worlds may lie far away from theirs.
+  // Single precision is fine near the origin, and worlds may be far away from theirs.
   origin_W_ = middleOf(standing).array().round();
   Pose X_BW = Pose::Identity();
   X_BW.translation() = -origin_W_;

@@ -13,26 +13,27 @@
 
 namespace synthetic_dataset::lidar {
 
-/// A link that moves, and a ball around it.
+/// A link that moves, and a bounding sphere around it.
 struct MovingBody {
-  std::size_t link = 0;  ///< of the world's links
-  std::size_t body = 0;  ///< among the RayBodies
+  std::size_t link = 0;  ///< index in the world's links
+  std::size_t body = 0;  ///< index in the RayBodies
   Eigen::Vector3d centre_L{0, 0, 0};
   double radius = 0.0;  ///< [m]
 };
 
-/// What rays can meet of a world: its visuals, as pictures show them. What stands still is one
-/// body, each link that may move is one of its own. Glass is left out where labels leave it out.
+/// The parts of a world that rays can hit: its visuals, as pictures show them. Everything that
+/// stands still is one body; each link that may move is a body of its own. Glass is left out if
+/// labels leave it out.
 class ScannedWorld {
  public:
   /// @param world  before anything has moved; has to outlive this
-  /// @param glass  which surfaces that one can see through are met
+  /// @param glass  which transparent surfaces are hit
   ScannedWorld(const world::World& world, render::GlassInLabels glass);
 
   [[nodiscard]] const RayBodies& bodies() const { return bodies_; }
 
-  /// The body of all that stands still, if there is anything, and where its frame lies: its axes
-  /// are those of the world.
+  /// The body of everything that stands still, if there is any, and the origin of its frame, whose
+  /// axes are those of the world.
   [[nodiscard]] const std::optional<std::size_t>& standing() const { return standing_; }
   [[nodiscard]] const Eigen::Vector3d& standingOrigin() const { return origin_W_; }
 
@@ -40,8 +41,9 @@ class ScannedWorld {
 
   [[nodiscard]] world::Simulator simulator() const { return simulator_; }
 
-  /// The materials of all surfaces.
-  /// @param varied  by those that they were made with (world::Look::materials); has to outlive it
+  /// The current materials of all surfaces.
+  /// @param varied  the varied materials, by those in the models (world::Look::materials); has to
+  ///     outlive the result
   [[nodiscard]] Paint paint(const std::map<const world::Material*, world::Material>& varied) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::lidar {
 namespace {
 
-/// What a mesh has at its corners, at a place between them.
+/// Interpolates a vertex attribute of a mesh at a place on a triangle.
 template <class Vector>
 Vector between(const std::vector<Vector>& of_corners, const world::Mesh& mesh,
                const SurfacePlace& place) {
@@ -22,8 +22,8 @@ Vector between(const std::vector<Vector>& of_corners, const world::Mesh& mesh,
 
 int repeated(int texel, int count) { return (texel % count + count) % count; }
 
-/// Red, green, blue and alpha of a texture, 0 .. 1 as its file has them, between the centres of its
-/// texels; it repeats.
+/// Red, green, blue and alpha of a texture, 0 .. 1 as stored in its file, interpolated between the
+/// centres of its texels; the texture repeats.
 Eigen::Vector4f texelAt(const cv::Mat& pixels, const Eigen::Vector2f& coordinates) {
   const Eigen::Vector2f at(coordinates.x() * static_cast<float>(pixels.cols) - 0.5F,
                            coordinates.y() * static_cast<float>(pixels.rows) - 0.5F);
@@ -57,7 +57,7 @@ Eigen::Vector4f textureAt(const world::Mesh& mesh, const world::Material& materi
                  coordinates.cwiseProduct(material.texture_scale) + material.texture_offset);
 }
 
-/// Red, green, blue, linear, and alpha.
+/// Linear red, green and blue, and alpha.
 Eigen::Vector4f colourAt(const world::Mesh& mesh, const world::Material& material,
                          const SurfacePlace& place) {
   Eigen::Vector4f colour = render::linearFromSrgb(material.diffuse);
@@ -76,7 +76,7 @@ Eigen::Vector4f colourAt(const world::Mesh& mesh, const world::Material& materia
   return colour;
 }
 
-/// As bright as it is seen (Rec. 709).
+/// Perceived brightness (Rec. 709).
 double brightnessOf(const Eigen::Vector4f& colour) {
   return std::clamp(0.2126 * colour.x() + 0.7152 * colour.y() + 0.0722 * colour.z(), 0.0, 1.0);
 }
@@ -84,7 +84,8 @@ double brightnessOf(const Eigen::Vector4f& colour) {
 double roughnessAt(const world::Mesh& mesh, const world::Material& material,
                    const SurfacePlace& place, world::Simulator simulator) {
   if (simulator == world::Simulator::kClassic) {
-    // The exponent of a highlight that is as wide (Walter et al. 2007, section 5.2); none: matt.
+    // The roughness whose highlight is as wide as that of the exponent (Walter et al. 2007, section
+    // 5.2); without a highlight: matt.
     if (material.shininess <= 0.0F || material.specular.isZero()) return 1.0;
     return std::pow(2.0 / (material.shininess + 2.0), 0.25);
   }
@@ -134,7 +135,7 @@ Eigen::Vector3d normalAt(const world::Mesh& mesh, const SurfacePlace& place,
   if (!(smooth.norm() > 0.0)) return flat.normalized();
   smooth.normalize();
   if (smooth.dot(flat) < 0.0) smooth = -smooth;
-  // By the silhouette of something round it may point a little away.
+  // Near the silhouette of a round object it may point slightly away from the ray's origin.
   const double away = std::max(smooth.dot(direction), 0.0);
   smooth = (smooth - away * direction).normalized();
   return smooth.allFinite() ? smooth : flat.normalized();
@@ -143,7 +144,7 @@ Eigen::Vector3d normalAt(const world::Mesh& mesh, const SurfacePlace& place,
 double intensityAt(const world::Mesh& mesh, const world::Material& material,
                    const SurfacePlace& place, world::Simulator simulator, double cosine) {
   const double matt = brightnessOf(colourAt(mesh, material, place)) * cosine;
-  constexpr double kReflectance = 0.04;  // of plastics and glass, at right angles
+  constexpr double kReflectance = 0.04;  // of plastics and glass, at normal incidence
   const double roughness = std::max(roughnessAt(mesh, material, place, simulator), 0.05);
   if (roughness >= 1.0 || cosine <= 0.0) return std::clamp(matt, 0.0, 1.0);
   const double alpha = roughness * roughness;

@@ -15,10 +15,11 @@ namespace {
 
 using base::Placement;
 
-/// How far something may move while a column fires, for which it need not be looked at closely [m].
+/// How far something may move while a column fires without being missed by the culling of bodies
+/// [m].
 constexpr double kColumnReach = 0.05;
 
-/// The cone in which the rays of one column lie, and those of all others, turned about z.
+/// A cone that contains the rays of column 0 and, turned about z, those of every other column.
 struct Fan {
   explicit Fan(const FiringPlan& plan) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -38,11 +39,11 @@ struct Fan {
 
   Eigen::Vector3d axis_S{1, 0, 0};  ///< of column 0
   double cosine = 1.0;              ///< of the angle between its axis and the outermost ray
-  double sine = 0.0;                ///< likewise
-  bool is_narrow = false;           ///< else rays go everywhere
+  double sine = 0.0;                ///< of that angle
+  bool is_narrow = false;           ///< otherwise rays go everywhere
 };
 
-/// Where all is when a ray is sent.
+/// Where everything is when a ray is sent.
 struct Instant {
   struct Body {
     const MovingBody* body = nullptr;
@@ -51,14 +52,14 @@ struct Instant {
     Eigen::Vector3d to_centre_W;  ///< from the scanner to the middle of its sphere
   };
 
-  double share = -1.0;  ///< of the column's time; rings that fire together have it in common
+  double share = -1.0;  ///< fraction of the column's time; rings that fire together share it
   double time = 0.0;    ///< from the stamp [ns]
   Placement X_GS;
   Pose X_GS_pose = Pose::Identity();
-  std::vector<Body> near;  ///< the bodies that rays may meet
+  std::vector<Body> near;  ///< the bodies that rays may hit
 };
 
-/// One ray on its way.
+/// A ray in the world's frame.
 struct Ray {
   Eigen::Vector3d origin_W;
   Eigen::Vector3d direction_W;
@@ -87,7 +88,7 @@ class Sweeper {
     }
   }
 
-  /// The points of columns from `begin` on, before `end`.
+  /// The points of the columns from `begin` up to, not including, `end`.
   [[nodiscard]] std::vector<CloudPoint> scan(int begin, int end) const {
     std::vector<CloudPoint> points;
     points.reserve(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(plan_.rings()));
@@ -115,12 +116,12 @@ class Sweeper {
     return begin + share * (end - begin);
   }
 
-  /// Where a moving body is. @param time  from the stamp [ns]
+  /// The pose of a moving body. @param time  from the stamp [ns]
   [[nodiscard]] Placement bodyAt(std::size_t moving, double time) const {
     return placementAt(motion_.moments, &WorldMoment::X_WL, moving, time);
   }
 
-  /// Where all is at a share of a column's time.
+  /// Finds where everything is at a fraction of a column's time.
   void find(int column, double share, const std::vector<std::size_t>& near,
             Instant& instant) const {
     instant.share = share;
@@ -137,7 +138,7 @@ class Sweeper {
     }
   }
 
-  /// The moving bodies that rays of a column may meet.
+  /// The moving bodies that rays of a column may hit.
   [[nodiscard]] std::vector<std::size_t> bodiesNear(int column) const {
     const Placement X_GS = scannerAt(column, 0.0);
     const double azimuth_0 = std::atan2(plan_.direction(0, 0).y(), plan_.direction(0, 0).x());
@@ -164,7 +165,8 @@ class Sweeper {
     return near;
   }
 
-  /// Whether a ball is outside a fan, which then is as wide as the fan and half the ball together.
+  /// Whether a sphere is outside the fan: its centre is farther from the axis than the fan's half
+  /// angle plus the sphere's angular radius.
   [[nodiscard]] bool isBeside(const Eigen::Vector3d& to_ball, double distance, double radius,
                               const Eigen::Vector3d& axis) const {
     const double sine = radius / distance;
@@ -174,14 +176,14 @@ class Sweeper {
     return to_ball.dot(axis) < distance * (fan_.cosine * cosine - fan_.sine * sine);
   }
 
-  [[nodiscard]] std::optional<MetSurface> meet(const Ray& ray, const Instant& instant) const {
-    std::optional<MetSurface> met;
+  [[nodiscard]] std::optional<SurfaceHit> meet(const Ray& ray, const Instant& instant) const {
+    std::optional<SurfaceHit> met;
     double far = model_.max_range;
     if (world_.standing()) {
       const auto hit =
           world_.bodies().meet(*world_.standing(), ray.origin_W - world_.standingOrigin(),
                                ray.direction_W, model_.min_range, far, paint_);
-      if (hit) met = MetSurface{*hit};
+      if (hit) met = SurfaceHit{*hit};
       if (hit) far = hit->distance;
     }
     for (const auto& [body, R_LW, p_LS, to_centre_W] : instant.near) {
@@ -191,7 +193,7 @@ class Sweeper {
       const auto hit = world_.bodies().meet(body->body, p_LS, R_LW * ray.direction_W,
                                             model_.min_range, far, paint_);
       if (!hit || hit->distance >= far) continue;
-      met = MetSurface{*hit, R_LW.conjugate().toRotationMatrix()};
+      met = SurfaceHit{*hit, R_LW.conjugate().toRotationMatrix()};
       far = hit->distance;
     }
     return met;
@@ -229,9 +231,9 @@ class Sweeper {
     return point;
   }
 
-  /// Whether too little of a ray comes back to be noticed. At `reach_at_tenth`, nine in ten of a
-  /// surface of a tenth's reflectivity are noticed, half of them where two thirds as much light
-  /// comes back, as Ouster's data sheets have it.
+  /// Whether too little of a ray comes back to be detected. At `reach_at_tenth`, nine in ten
+  /// returns from a surface of 10 % reflectivity are detected, and half of them if two thirds as
+  /// much light comes back, as in Ouster's data sheets.
   [[nodiscard]] bool isLost(std::uint64_t number, double range, double intensity) const {
     double probability = 1.0 - model_.dropout;
     if (model_.reach_at_tenth) {
@@ -279,7 +281,7 @@ Cloud sweep(const ScannedWorld& world, const LidarModel& model, const FiringPlan
   std::vector<std::future<std::vector<CloudPoint>>> bands;
   for (int begin = 0; begin < plan.columns(); begin += band) {
     const int end = std::min(begin + band, plan.columns());
-    // Deferred where no more threads are to be had.
+    // Deferred if no more threads are available.
     bands.push_back(std::async(std::launch::async | std::launch::deferred,
                                [&sweeper, begin, end] { return sweeper.scan(begin, end); }));
   }

@@ -6,8 +6,8 @@
 #include "base/placement.h"
 #include "lidar/firing_plan.h"
 #include "lidar/lidar_options.h"
-#include "lidar/met_surface.h"
 #include "lidar/scanned_world.h"
+#include "lidar/surface_hit.h"
 #include "lidar/world_moments.h"
 #include "synthetic_dataset/cloud.h"
 
@@ -16,14 +16,14 @@ namespace synthetic_dataset::lidar {
 /// Where everything is while a scanner sweeps.
 struct SweepMotion {
   std::vector<WorldMoment> moments;   ///< ascending, at least one
-  std::vector<bool> present;          ///< the links that are there
-  std::vector<base::Placement> X_GS;  ///< at the begin of each column, and at the sweep's end
+  std::vector<bool> present;          ///< by link
+  std::vector<base::Placement> X_GS;  ///< at the start of each column, and at the sweep's end
   Pose X_GS_at_stamp = Pose::Identity();
 };
 
-/// Casts the rays of a sweep, each at its own time, with all of the processor's cores.
+/// Casts the rays of a sweep, each at its own time, on all of the processor's cores.
 /// @param labels  of the world's links
-/// @param seed  of noise and lost returns
+/// @param seed  for noise and lost returns
 [[nodiscard]] Cloud sweep(const ScannedWorld& world, const LidarModel& model,
                           const FiringPlan& plan, const SweepMotion& motion,
                           const std::vector<LinkLabel>& labels, const Paint& paint,

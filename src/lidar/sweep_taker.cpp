@@ -12,8 +12,9 @@ namespace {
 
 using base::Placement;
 
-/// From one look at the world to the next: what moves at 10 m/s gets 5 mm ahead, and what changes
-/// its speed by 1 m/s in between is at most an eighth of a millimetre from where it is taken to be.
+/// Time between two samples of the world: something that moves at 10 m/s covers 5 mm, and something
+/// whose speed changes by 1 m/s in between is at most an eighth of a millimetre from its
+/// interpolated position.
 constexpr Duration kLookPeriod = std::chrono::microseconds(500);
 
 /// Counts the points of each object.
@@ -25,8 +26,8 @@ std::vector<std::int64_t> countPoints(const Cloud& cloud, std::size_t object_cou
   return counts;
 }
 
-/// What a recorded cloud has that the user should know.
-/// @param group  the lidar's settings
+/// What the user should know about a recorded cloud.
+/// @param group  the full name of the lidar's settings
 std::vector<base::Warning> warningsOf(const std::string& group, const LabelledCloud& made) {
   std::vector<base::Warning> warnings;
   const std::string of = " of " + std::to_string(made.cloud.points.size()) + " in a cloud";
@@ -44,7 +45,7 @@ std::vector<base::Warning> warningsOf(const std::string& group, const LabelledCl
   return warnings;
 }
 
-/// How surfaces look for a while.
+/// Keeps the materials alive that the paint points to.
 struct HeldPaint {
   std::map<const world::Material*, world::Material> materials;
   Paint paint;
@@ -76,7 +77,7 @@ std::vector<Duration> SweepTaker::offsets(Stamp stamp) const {
   for (const LidarRig& lidar : lidars_) {
     if (!can_move_) break;
     const motion::TimeRange times = lidar.sweepAt(stamp);
-    // By whole periods from the stamp, so that lidars have most of them in common.
+    // At whole periods from the stamp, so that lidars share most of them.
     for (auto i = times.first / kLookPeriod; i * kLookPeriod < times.last; ++i) {
       if (i * kLookPeriod > times.first) offsets.insert(i * kLookPeriod);
     }

@@ -8,15 +8,15 @@
 
 namespace synthetic_dataset::lidar {
 
-/// Where all that moves is at a time.
+/// Where everything that moves is at a given time.
 struct WorldMoment {
   Duration offset{0};                 ///< from the stamp
   std::vector<base::Placement> X_WL;  ///< of ScannedWorld::moving()
-  std::vector<base::Placement> X_WS;  ///< of the lidars; only of those that ride on links
+  std::vector<base::Placement> X_WS;  ///< of the lidars; valid only for those on links
 };
 
-/// Two of some moments, by their indices, and how far a time is from one to the other, 0 .. 1; at
-/// either end, one of them twice.
+/// The indices of the two moments around a time, and how far the time is from the first to the
+/// second, 0 .. 1; before the first moment and after the last, both are the same one.
 struct MomentsAround {
   std::size_t before = 0;
   std::size_t after = 0;
@@ -27,7 +27,7 @@ struct MomentsAround {
 /// @param time  from the stamp [ns]
 [[nodiscard]] MomentsAround momentsAround(const std::vector<WorldMoment>& moments, double time);
 
-/// Where something is at a time, between two moments.
+/// The pose of something at a given time, interpolated between two moments.
 /// @param moments  ascending, at least one
 /// @param poses  X_WL or X_WS
 /// @param time  from the stamp [ns]

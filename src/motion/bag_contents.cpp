@@ -23,7 +23,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// What a frame's transforms have, message by message.
+/// What is collected from a frame's transforms.
 struct Seen {
   std::vector<Stamp> stamps;
   std::set<std::string> publishers;
@@ -39,7 +39,7 @@ void noteTransform(const RecordedTransform& each, SeenFrames& frames) {
   seen.is_static = seen.is_static && each.kind == TransformKind::kStatic;
 }
 
-/// How a topic says where frames are; null: it does not.
+/// How a topic's messages give poses of frames; null if they do not.
 const PoseMessage* poseMessageOf(const BagTopic& topic) {
   const std::vector<PoseMessage>& all = poseMessages();
   const auto found = std::find_if(all.begin(), all.end(), [&](const PoseMessage& message) {
@@ -48,7 +48,7 @@ const PoseMessage* poseMessageOf(const BagTopic& topic) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// Reads odometry and the like, as runs do where there is no TF.
+/// Reads odometry and the like, as runs do if there is no TF.
 void readPoses(BagReader& bags, SeenFrames& seen, TransformRecording& recording,
                BagContents& contents) {
   std::vector<std::string>& notes = contents.notes;
@@ -84,7 +84,7 @@ void readPoses(BagReader& bags, SeenFrames& seen, TransformRecording& recording,
   }
 }
 
-/// Where a frame's chain of parents begins.
+/// The root of a frame's chain of parents.
 FrameId rootOf(const FrameTree& tree, FrameId frame) {
   std::set<FrameId> passed;
   while (passed.insert(frame).second) {
@@ -132,7 +132,7 @@ void measureTimes(const Seen& seen, const LinkHistory& link, const RecordedTimes
   frame.known.push_back({from, stamps.back()});
 }
 
-/// When a frame's origin first and last moves against the root, and how far.
+/// When a frame's origin first and last moves relative to the root, and how far it travels.
 void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
                      int steps, RecordedFrame& frame) {
   constexpr double kMoves = 0.002;  // [m]
@@ -140,7 +140,7 @@ void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const Reco
   Stamp stamp_before = times.start;
   frame.moves_from = frame.moves_until = frame.first;
   bool has_moved = false;
-  std::optional<Eigen::Vector3d> counted;  // up to here; what trembles goes no way
+  std::optional<Eigen::Vector3d> counted;  // end of the measured path; ignores jitter
   for (int i = 0; i <= steps; ++i) {
     const Stamp stamp = times.start + (times.end - times.start) * i / steps;
     const auto pose = tree.transform(root, id, stamp);
@@ -153,14 +153,14 @@ void measureMovement(const FrameTree& tree, FrameId root, FrameId id, const Reco
     before = pose->translation();
     if (!counted) counted = before;
     if (const double step = (*before - *counted).norm(); step > kMoves) {
-      frame.way_length += step;
+      frame.path_length += step;
       counted = before;
     }
     stamp_before = stamp;
   }
 }
 
-/// Where a frame's origin is, and how it is turned, in the root's frame.
+/// The extent of a frame's positions, and its largest rotation, in the root's frame.
 void measureWay(const FrameTree& tree, FrameId root, FrameId id, const RecordedTimes& times,
                 int steps, RecordedFrame& frame) {
   std::optional<Pose> first;
@@ -182,7 +182,7 @@ void measureWay(const FrameTree& tree, FrameId root, FrameId id, const RecordedT
   frame.middle_R = 0.5 * (low + high);
 }
 
-/// Where a frame that moves has been, as seen from above all.
+/// Samples the path of a moving frame, in the global frame.
 void traceWay(const FrameTree& tree, FrameId global, FrameId id, const RecordedTimes& times,
               int steps, RecordedFrame& frame) {
   constexpr double kMoves = 0.02;  // [m]
@@ -190,11 +190,11 @@ void traceWay(const FrameTree& tree, FrameId global, FrameId id, const RecordedT
   for (int i = 0; i <= steps; ++i) {
     const auto pose =
         tree.transform(global, id, times.start + (times.end - times.start) * i / steps);
-    if (pose) frame.way_G.emplace_back(pose->translation());
+    if (pose) frame.path_G.emplace_back(pose->translation());
   }
 }
 
-/// By how many times ways are measured: by fewer where there are thousands of frames.
+/// The number of samples per path: fewer if there are thousands of frames.
 int stepsFor(std::size_t frame_count) {
   constexpr std::size_t kMost = 200;
   constexpr std::size_t kLeast = 10;
@@ -202,7 +202,7 @@ int stepsFor(std::size_t frame_count) {
   return static_cast<int>(std::clamp(kAll / std::max<std::size_t>(frame_count, 1), kLeast, kMost));
 }
 
-/// From the first to the last stamp of what moves; record times may be of another clock.
+/// From the first to the last stamp of moving frames, as record times may be from another clock.
 RecordedTimes stampedTimes(const SeenFrames& frames, const RecordedTimes& recorded) {
   RecordedTimes times{Stamp::max(), Stamp::min()};
   for (const auto& [name, seen] : frames) {
@@ -220,7 +220,7 @@ std::vector<RecordedFrame> framesOf(const FrameTree& tree, const SeenFrames& see
   std::vector<std::pair<int, RecordedFrame>> found;
   for (const auto& [name, of] : seen) {
     const auto id = tree.names().find(name);
-    if (!id || tree.link(*id).parents().empty()) continue;  // all of it was left out
+    if (!id || tree.link(*id).parents().empty()) continue;  // all of its transforms were left out
     RecordedFrame frame;
     frame.name = name;
     const FrameId root = rootOf(tree, *id);
@@ -258,7 +258,7 @@ void readCameras(const std::vector<std::string>& bag_files, BagContents& content
   }
 }
 
-/// The first model that a topic has; none where its texts are not URDF.
+/// The first robot model on a topic; nothing if its texts are not URDF.
 std::optional<RecordedDescription> readDescription(const std::vector<std::string>& bag_files,
                                                    const std::string& topic) {
   auto search = TopicSearch::of<std_msgs::String>(topic);
@@ -333,7 +333,7 @@ BagContents readContents(const std::vector<std::string>& bag_files,
 
 std::vector<RobotFrame> robotFrames(const BagContents& contents) {
   std::map<std::string, RobotFrame> by_prefix;
-  for (const char* const base : {"base_footprint", "base_link"}) {  // the second one counts
+  for (const char* const base : {"base_footprint", "base_link"}) {  // the latter overrides
     for (const RecordedFrame& frame : contents.frames) {
       if (lastPartOf(frame.name) != base) continue;
       const std::size_t slash = frame.name.rfind('/');

@@ -16,7 +16,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Every scene of the window was left out.
+/// The message for a timeline from which every scene was left out.
 std::string noSceneLeft(const Timeline& timeline, const TimelineOptions& options) {
   const std::string longest = options.max_tf_gap ? secondsText(*options.max_tf_gap)
                                                  : "by default 10 s or 20 median periods";
@@ -38,8 +38,8 @@ std::string ignoredTopics(const std::vector<std::string>& topics) {
          " (tf_topics names them)";
 }
 
-/// Where nothing static was recorded, what it holds is missing: it is sent once, when a recording
-/// has not yet begun, or into the first of its parts.
+/// The message for a recording without /tf_static; empty otherwise. Static transforms are sent only
+/// once: before the recording begins, or into the first of its parts.
 std::string lacksStatic(const BagReader& bags) {
   const std::string ending = "tf_static";
   for (const BagTopic& topic : bags.topics()) {
@@ -52,7 +52,7 @@ std::string lacksStatic(const BagReader& bags) {
          "bag_file should name all parts";
 }
 
-/// Adds what may be the cause to the first frame that is missing, and is not only misspelt.
+/// Adds a possible cause to the error about the first frame that is missing rather than misspelt.
 void addToMissing(const std::string& cause, std::vector<std::string>& errors) {
   const auto missing = std::find_if(errors.begin(), errors.end(), [](const std::string& error) {
     return error.rfind("frame '", 0) == 0 && error.find("did you mean") == std::string::npos;
@@ -60,7 +60,7 @@ void addToMissing(const std::string& cause, std::vector<std::string>& errors) {
   if (missing != errors.end()) *missing += "; " + cause;
 }
 
-/// There is no transform at all.
+/// The messages for bags without any usable transform.
 std::vector<std::string> nothingToUse(const BagReader& bags, const TfTopics& tf,
                                       const TransformRecording& recording,
                                       const std::vector<std::string>& hints) {
@@ -174,7 +174,7 @@ Timeline BagMotion::timeline(const std::vector<std::string>& frames,
 }
 
 void BagMotion::noteClock(Stamp start, base::Diagnostics& diagnostics) const {
-  if (stretches_.size() > 1) return;  // which says so itself
+  if (stretches_.size() > 1) return;  // reported separately
   const bool is_behind = clock_offset_ > Duration{0};
   diagnostics.warning("",
                       "the recording's time stamps are " +
@@ -185,7 +185,7 @@ void BagMotion::noteClock(Stamp start, base::Diagnostics& diagnostics) const {
                           secondsText(start));
 }
 
-/// All frames that have to do with where some are.
+/// The given frames, the global frame, and all their ancestors.
 std::vector<FrameId> BagMotion::withAncestors(std::vector<FrameId> frames) const {
   if (global_ != kNoFrame) frames.push_back(global_);
   std::set<FrameId> seen(frames.begin(), frames.end());

@@ -12,16 +12,16 @@ namespace synthetic_dataset::motion {
 enum class FrameId : std::int32_t {};
 constexpr FrameId kNoFrame{-1};
 
-/// tf (version 1) wrote frames with a leading slash, tf2 refuses it: "/map" is "map".
+/// tf (version 1) wrote frames with a leading slash, which tf2 rejects: "/map" is "map".
 [[nodiscard]] std::string withoutLeadingSlashes(const std::string& frame);
 
-/// The frames that differ from a name by separators, case or a prefix only, up to three.
+/// Up to three frames that differ from a name only by separators, case or a prefix.
 [[nodiscard]] std::vector<std::string> framesLike(const std::string& name,
                                                   const std::vector<std::string>& frames);
 
-/// "; did you mean 'alpha/base_link'?" for the end of a message, or nothing when no frame is alike:
-/// the frames that differ by separators, case or a prefix only ("alpha/" too few or many), else the
-/// one that a typing mistake may have meant.
+/// "; did you mean 'alpha/base_link'?" for the end of a message, or nothing if no frame is similar:
+/// the frames that differ only by separators, case or a prefix ("alpha/" missing or extra), or else
+/// the one that a typing mistake may have meant.
 [[nodiscard]] std::string didYouMeanFrame(const std::string& name,
                                           const std::vector<std::string>& frames);
 

@@ -11,8 +11,8 @@
 
 namespace synthetic_dataset::motion {
 
-/// A source of motion: where frames are at a time, in the global frame G. Sources can be asked from
-/// several threads at a time, once set-up is over.
+/// A source of motion: the poses of frames over time, in the global frame G. Sources can be queried
+/// from several threads at once after set-up.
 class FrameSource {
  public:
   /// @param global_frame  with or without leading slashes; the source need not have it
@@ -22,23 +22,22 @@ class FrameSource {
 
   [[nodiscard]] const std::string& globalFrame() const { return global_frame_; }
 
-  /// All frames that it has, at some time at least.
+  /// All frames that it knows at some time at least.
   [[nodiscard]] virtual const FrameNames& names() const = 0;
 
   [[nodiscard]] std::optional<FrameId> find(const std::string& frame) const {
     return names().find(frame);
   }
 
-  /// X_GF, its rotation normalised; nothing at times at which it is not known, and for kNoFrame.
+  /// X_GF, with normalised rotation; nothing at times at which it is not known, and for kNoFrame.
   [[nodiscard]] virtual std::optional<Pose> pose(FrameId frame, Stamp time) const = 0;
 
   /// X_GF.
-  /// @throws Error where it is not known
+  /// @throws Error if it is not known
   [[nodiscard]] Pose knownPose(FrameId frame, Stamp time) const;
 
-  /// The time from one recorded transform to the next (median) of all that lead from a frame to the
-  /// global one at a time: of the most frequent. Nothing where all are static, or none are
-  /// recorded.
+  /// The shortest of the median periods of the recorded transforms that connect a frame with the
+  /// global one at a time. Nothing if all of them are static, or none are recorded.
   [[nodiscard]] virtual std::optional<Duration> recordedPeriod(FrameId frame, Stamp time) const {
     static_cast<void>(frame);
     static_cast<void>(time);
@@ -46,25 +45,25 @@ class FrameSource {
   }
 
   /// The times of the scenes, at each of which all of these frames are known.
-  /// @throws ErrorList when there is none, saying why: frames that it does not have, options that
+  /// @throws ErrorList if there are none, saying why: frames that the source lacks, options that
   ///     leave no time, ...
   [[nodiscard]] virtual Timeline timeline(const std::vector<std::string>& frames,
                                           const TimelineOptions& options) const = 0;
 
-  /// What it is, for messages: "the recording".
+  /// What the source is called in messages: "the recording".
   [[nodiscard]] virtual std::string title() const = 0;
 
   /// "the recording has no frame 'bass'; did you mean 'base'?"
   [[nodiscard]] std::string lacks(const std::string& frame) const;
 
-  /// Notes what the user should know about it.
-  /// @param frames  that are used; what is odd about others does not matter
+  /// Reports what the user should know about the source.
+  /// @param frames  that are used; oddities of other frames are not reported
   virtual void report(const std::vector<FrameId>& frames, base::Diagnostics& diagnostics) const {
     static_cast<void>(frames);
     static_cast<void>(diagnostics);
   }
 
-  /// Whether a pose at this time would be interpolated across a hole that TimelineOptions forbid.
+  /// Whether a pose at this time would be interpolated across a hole that TimelineOptions forbids.
   [[nodiscard]] virtual bool isInHole(FrameId frame, Stamp time,
                                       const std::optional<Duration>& max_tf_gap) const {
     static_cast<void>(frame);

@@ -17,18 +17,19 @@ enum class MotionSource {
 /// A topic, besides TF, whose messages say where frames are.
 struct PoseTopic {
   std::string topic;
-  std::optional<std::string> frame;  ///< that it moves; none: its messages say so
+  std::optional<std::string> frame;  ///< that it moves; none: its messages name it
   std::optional<std::string>
-      object;  ///< of joint states: whose joints these are; none: all objects'
+      object;  ///< for joint states: the object whose joints they are; none: all objects
 };
 
 struct MotionOptions {
   MotionSource source = MotionSource::kBag;
-  std::vector<std::string> bag_files;  ///< of kPlacement: for recorded maps and calibrations
+  std::vector<std::string> bag_files;  ///< with kPlacement: only for recorded maps and calibrations
   std::vector<std::string>
-      tf_topics;  ///< none: /tf and /tf_static, or the only ones that there are
+      tf_topics;  ///< empty: /tf and /tf_static, or those of the only namespace that has TF
   std::vector<PoseTopic> pose_topics;
-  std::int64_t scenes = 0;           ///< of kPlacement: how many times a picture is taken
+  std::int64_t scenes = 0;           ///< with kPlacement: the number of times at which pictures are
+                                     ///< taken
   double rate = 30.0;                ///< [Hz]
   double start_offset = 0.0;         ///< [s]
   std::optional<double> duration;    ///< [s]

@@ -25,7 +25,7 @@ void PlacedFrames::place(FrameId frame, const std::optional<Pose>& X_GF) {
   placed_.insert_or_assign(frame, X_GF);
 }
 
-void PlacedFrames::forgetInHoles(FrameId frame, const std::optional<Duration>& max_tf_gap) {
+void PlacedFrames::markAbsentInGaps(FrameId frame, const std::optional<Duration>& max_tf_gap) {
   without_holes_.insert_or_assign(frame, max_tf_gap);
 }
 
@@ -44,7 +44,7 @@ std::optional<Pose> PlacedFrames::pose(FrameId frame, Stamp time) const {
   return is_known ? others_->pose(frame, time) : std::nullopt;
 }
 
-/// Names were added behind those of the others.
+/// Names that only this source has come after those of the others.
 bool PlacedFrames::isOfOthers(FrameId frame) const {
   return static_cast<std::size_t>(frame) < others_->names().all().size();
 }

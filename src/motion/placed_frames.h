@@ -10,23 +10,24 @@
 
 namespace synthetic_dataset::motion {
 
-/// Frames that are placed anew for each scene, over a source that has all others. A copy keeps what
-/// is placed as it is, for use in another thread.
+/// Frames that are placed anew for each scene, on top of a source of all other frames. A copy keeps
+/// its placed frames unchanged, for use in another thread.
 class PlacedFrames : public FrameSource {
  public:
   explicit PlacedFrames(std::shared_ptr<const FrameSource> others);
 
-  /// Puts a frame somewhere, from now on and whatever the other source has of it; at set-up, as
-  /// all copies have the same names.
-  /// @param X_GF  nothing: the frame is not there, and so not known at any time
+  /// Places a frame from now on, overriding the other source; only during set-up, as all copies
+  /// share their names.
+  /// @param X_GF  nothing if the frame is absent, and so not known at any time
   FrameId place(const std::string& frame, const std::optional<Pose>& X_GF);
 
   /// The same for a frame of names().
   void place(FrameId frame, const std::optional<Pose>& X_GF);
 
-  /// From now on a frame is not known where it would be interpolated across a hole.
+  /// From now on, treats a frame as unknown at times at which it would be interpolated across a
+  /// hole.
   /// @param max_tf_gap  as in TimelineOptions
-  void forgetInHoles(FrameId frame, const std::optional<Duration>& max_tf_gap);
+  void markAbsentInGaps(FrameId frame, const std::optional<Duration>& max_tf_gap);
 
   [[nodiscard]] bool isPlaced(const std::string& frame) const;
 
@@ -43,13 +44,13 @@ class PlacedFrames : public FrameSource {
   [[nodiscard]] bool isOfOthers(FrameId frame) const;
 
   std::shared_ptr<const FrameSource> others_;
-  std::shared_ptr<FrameNames> names_;  ///< those of the others, and those that are placed
+  std::shared_ptr<FrameNames> names_;  ///< those of the others, then those that are placed
   std::map<FrameId, std::optional<Pose>> placed_;             ///< X_GF
-  std::map<FrameId, std::optional<Duration>> without_holes_;  ///< the longest gap of each
+  std::map<FrameId, std::optional<Duration>> without_holes_;  ///< the longest allowed gap of each
 };
 
-/// The motion of scenes that are placed at random: it has nothing but the global frame, and as many
-/// times as are asked for, which only number the scenes.
+/// The motion of scenes that are placed at random: it has only the global frame, and as many times
+/// as are asked for, which merely number the scenes.
 class PlacementMotion : public FrameSource {
  public:
   explicit PlacementMotion(const std::string& global_frame);
@@ -57,8 +58,8 @@ class PlacementMotion : public FrameSource {
   [[nodiscard]] const FrameNames& names() const override { return names_; }
   [[nodiscard]] std::optional<Pose> pose(FrameId frame, Stamp time) const override;
 
-  /// One period after 0, two periods, ...
-  /// @throws Error when the last one is more than 292 years from the first
+  /// The times one period after 0, two periods, ...
+  /// @throws Error if the last one is more than 292 years from the first
   [[nodiscard]] Timeline timeline(const std::vector<std::string>& frames,
                                   const TimelineOptions& options) const override;
   [[nodiscard]] std::string title() const override { return "the placement"; }

@@ -20,8 +20,8 @@ Duration periodOf(double rate) {
             << " Hz: it has to be above 0, and its period from 1 ns to 1e9 s";
     throw Error(message.str());
   }
-  // A rate that is not an exact double (0.1, 1/3) gives a period a few units in the last place
-  // beside the meant one; cutting must not turn the meant 10 s into 9.999999999 s.
+  // A rate that is not an exact double (0.1, 1/3) gives a period a few units in the last place off
+  // the intended one; truncation must not turn an intended 10 s into 9.999999999 s.
   const double nearest = std::round(period);
   const double tolerance = 4.0 * std::numeric_limits<double>::epsilon() * period;
   const double cut = std::abs(period - nearest) <= tolerance ? nearest : std::floor(period);

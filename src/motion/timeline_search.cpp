@@ -24,12 +24,12 @@ class Holes {
   /// @param tree, options  have to outlive this
   Holes(const FrameTree& tree, const TimelineOptions& options) : tree_(tree), options_(options) {}
 
-  /// Whether no scene may be made then, as poses would be interpolated across a hole. Where the
-  /// pose is the same at both ends, it may. Counts the scene.
-  /// @param links  that are crossed for it
+  /// Whether a scene at this time is forbidden, because poses would be interpolated across a hole.
+  /// If the pose is the same at both ends of the hole, it is allowed. Counts the scene.
+  /// @param links  that are crossed at that time
   [[nodiscard]] bool forbid(const std::set<FrameId>& links, Stamp time);
 
-  /// Names the holes into which scenes fell, with their times.
+  /// Reports the holes into which scenes fell, with their times.
   void report(base::Diagnostics& diagnostics) const;
 
  private:
@@ -43,7 +43,7 @@ class Holes {
 
   const FrameTree& tree_;
   const TimelineOptions& options_;
-  std::map<std::pair<FrameId, Stamp>, Hole> holes_;  ///< by frame and beginning
+  std::map<std::pair<FrameId, Stamp>, Hole> holes_;  ///< by frame and start
 };
 
 std::string scenesText(std::int64_t count) {
@@ -99,7 +99,7 @@ std::string Holes::message(FrameId child, const Hole& hole) const {
 }
 
 void Holes::report(base::Diagnostics& diagnostics) const {
-  constexpr std::int64_t kMost = 5;  // of a frame
+  constexpr std::int64_t kMost = 5;  // per frame
   std::map<FrameId, std::int64_t> counts;
   std::map<FrameId, std::int64_t> scenes_of_others;
   for (const auto& [place, hole] : holes_) {
@@ -119,13 +119,13 @@ void Holes::report(base::Diagnostics& diagnostics) const {
 constexpr Duration kTick{1};
 constexpr std::int64_t kMostScenes = 100000000;  // file names have eight digits
 
-/// Whole periods, the last one begun.
+/// Number of periods, including the last one begun.
 std::int64_t periodsIn(Duration length, Duration period) {
   return (length + period - kTick) / period;
 }
 
-/// The wanted frames' connections with the global frame. Asked for times that lie close together,
-/// it seldom has to climb the tree.
+/// The wanted frames' connections with the global frame. For times that are close together, it
+/// seldom has to climb the tree.
 class Connections {
  public:
   Connections(const FrameTree& tree, const FramesToKnow& wanted) : tree_(tree), wanted_(wanted) {
@@ -134,7 +134,7 @@ class Connections {
     }
   }
 
-  /// The connections of all wanted frames, in their order.
+  /// The connections of all wanted frames, in the frames' order.
   const std::vector<Connection>& at(Stamp time) {
     for (std::size_t i = 0; i < connections_.size(); ++i) {
       const Validity& validity = connections_[i].validity;
@@ -149,7 +149,7 @@ class Connections {
     return std::all_of(now.begin(), now.end(), [](const Connection& c) { return c.known; });
   }
 
-  /// The links that are crossed then.
+  /// The links that are crossed at that time.
   std::set<FrameId> linksAt(Stamp time) {
     std::set<FrameId> links;
     for (const Connection& connection : at(time)) {
@@ -164,8 +164,8 @@ class Connections {
   std::vector<Connection> connections_;
 };
 
-/// The first of time, time + period, ... before `limit` at which all are known. Whole stretches in
-/// which one of them stays unknown are taken in one step.
+/// The first of time, time + period, ... before `limit` at which all frames are known. Intervals in
+/// which one of them stays unknown are skipped in one step.
 std::optional<Stamp> firstKnown(Connections& connections, Stamp time, Stamp limit,
                                 Duration period) {
   while (time < limit) {
@@ -196,13 +196,13 @@ std::optional<Stamp> lastKnown(Connections& connections, Stamp time, Stamp limit
   return std::nullopt;
 }
 
-/// Leaves scenes out at whose time something is not known, or that a hole forbids.
+/// Leaves out scenes at times at which something is not known, or that a hole forbids.
 class TimeFilter {
  public:
   TimeFilter(const FrameTree& tree, Connections& connections, const TimelineOptions& options)
       : connections_(connections), holes_(tree, options) {}
 
-  /// @return whether there is a scene then; else it is counted
+  /// @return whether there is a scene at that time; if not, it is counted as left out
   [[nodiscard]] bool passes(Stamp time, Timeline& timeline) {
     if (!connections_.allKnownAt(time)) {
       ++timeline.left_out_unknown;
@@ -222,7 +222,7 @@ class TimeFilter {
   Holes holes_;
 };
 
-/// The given times that lie in the part.
+/// The timeline of the given times that lie in the part.
 Timeline timelineOf(const std::vector<Stamp>& stamps, const RecordedTimes& part,
                     TimeFilter& filter) {
   Timeline timeline;

@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::motion {
 
-/// What a timeline is looked for: frames that have to be known in the global frame.
+/// The frames that have to be known, in the global frame, at the times of a timeline.
 struct FramesToKnow {
   FrameId global_frame = kNoFrame;
   std::vector<FrameId> frames;
@@ -29,16 +29,16 @@ struct FramesToKnow {
 /// @param options  without optionErrors()
 [[nodiscard]] RecordedTimes usedPart(const RecordedTimes& recorded, const TimelineOptions& options);
 
-/// From the first to the last time at which all frames are known; nothing where there is none.
-/// @param part  in which to look
+/// From the first to the last time at which all frames are known; nothing if there is no such time.
+/// @param part  in which to search
 [[nodiscard]] std::optional<RecordedTimes> knownTimes(const FrameTree& tree,
                                                       const FramesToKnow& wanted,
                                                       const RecordedTimes& part);
 
-/// The timeline by the rules of BagMotion::timeline(), or nothing when there is no time at which
-/// all frames are known.
-/// @param part  of usedPart()
-/// @throws ErrorList: more scenes than file names can number
+/// The timeline by the rules of BagMotion::timeline(), or nothing if there is no time at which all
+/// frames are known.
+/// @param part  from usedPart()
+/// @throws ErrorList if there are more scenes than file names can number
 [[nodiscard]] std::optional<Timeline> findTimeline(const FrameTree& tree,
                                                    const FramesToKnow& wanted,
                                                    const RecordedTimes& part,

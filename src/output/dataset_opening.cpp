@@ -40,11 +40,11 @@ bool isAsWritten(const ManifestFile& file) {
     const FileDigest found = digestOfFile(file.path);
     return found.bytes == file.bytes && found.digest == file.digest;
   } catch (const Error&) {
-    return false;  // it is not there
+    return false;  // the file is missing
   }
 }
 
-/// Without reading it: files that were safe on the disk change only when somebody changes them.
+/// Does not read the file: once safely on disk, a file changes only if somebody changes it.
 bool hasItsSize(const ManifestFile& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file.path, error);
@@ -57,9 +57,9 @@ bool isWhole(SceneState state, const std::vector<ManifestFile>& files) {
                      state == SceneState::kComplete ? hasItsSize : isAsWritten);
 }
 
-/// Drops what a killed run, or a power cut, left half done, with its files: scenes that were begun,
-/// scenes that were not yet safe and whose files are not as they were written, scenes whose files
-/// somebody has removed or cut since, and the files of the dataset as a whole.
+/// Drops what a killed run or a power cut left half done, including the files: scenes that were
+/// only begun, scenes that were not yet synced and whose files differ from what was written, scenes
+/// whose files somebody has since removed or truncated, and the files of the dataset as a whole.
 /// @throws Error when a file cannot be removed
 void dropUnfinished(Manifest& manifest) {
   for (const auto& [scene, state] : manifest.sceneStates()) {
@@ -95,7 +95,7 @@ void makeFolders(const std::string& folder, const std::vector<StoreWriter>& writ
   }
 }
 
-/// Why a dataset that is there cannot be gone on with.
+/// Why an existing dataset cannot be resumed.
 std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
                                             const std::vector<StoreWriter>& writers,
                                             const RunDescription& run) {
@@ -117,7 +117,7 @@ std::vector<std::string> reasonsNotToResume(const ManifestContent& earlier,
   return reasons;
 }
 
-/// Throws unless what is there was begun with the same settings.
+/// Throws unless the existing dataset was begun with the same settings.
 void requireSameRun(const ManifestContent& earlier, const std::string& folder,
                     const std::vector<StoreWriter>& writers, const RunDescription& run) {
   std::vector<std::string> reasons = reasonsNotToResume(earlier, writers, run);
@@ -130,7 +130,7 @@ void requireSameRun(const ManifestContent& earlier, const std::string& folder,
   throw ErrorList(reasons);
 }
 
-/// The manifest of a shard that a lock or a pending file belongs to; empty for other files.
+/// The manifest of the shard that a lock or pending file belongs to; empty for any other file.
 std::string shardManifestOf(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   for (const std::string end : {".lock", ".tmp"}) {
@@ -144,8 +144,8 @@ std::string shardManifestOf(const std::filesystem::path& file) {
   return "";
 }
 
-/// Removes what runs of shards have left that were killed before they had a manifest: no later run
-/// would, unless it made the same shards.
+/// Removes what shard runs left behind if they were killed before they had a manifest; otherwise
+/// only a run of the same shard would ever clean it up.
 void removeLeftOfShards(const std::string& folder) {
   namespace fs = std::filesystem;
   std::set<std::string> manifests;
@@ -159,12 +159,12 @@ void removeLeftOfShards(const std::string& folder) {
     try {
       const RunLock lock_of_the_dead(manifest);
       fs::remove(temporaryPath(manifest), error);
-    } catch (const Error&) {  // it is not dead
+    } catch (const Error&) {  // that run is still alive
     }
   }
 }
 
-/// Makes sure that the run can begin, and only then removes what it is to replace.
+/// Makes sure that the run can begin, and only then removes what the run is to replace.
 /// @return the lock of the new run's manifest
 std::unique_ptr<RunLock> clearTheWay(const StoreOptions& options, const EarlierDataset& earlier,
                                      const std::vector<StoreWriter>& writers) {
@@ -179,13 +179,13 @@ std::unique_ptr<RunLock> clearTheWay(const StoreOptions& options, const EarlierD
   auto lock = std::make_unique<RunLock>(manifest);
   if (options.if_exists == IfExists::kOverwrite) earlier.remove();
   if (!options.shard) removeLeftOfShards(options.folder);
-  makeFolders(options.folder, writers, probe);  // again: empty ones went with the earlier dataset
+  makeFolders(options.folder, writers, probe);  // again: empty ones were removed above
   if (!probe.problems().empty()) throw ErrorList(probe.problems());
   probe.keepFolders();
   return lock;
 }
 
-/// What is there; where its manifest cannot be read, that and all else that stands in the way.
+/// The existing dataset. If its manifest cannot be read, throws that along with layout problems.
 EarlierDataset findEarlier(const StoreOptions& options, const std::vector<StoreWriter>& writers) {
   try {
     return {options.folder, options.shard};
@@ -197,13 +197,13 @@ EarlierDataset findEarlier(const StoreOptions& options, const std::vector<StoreW
   }
 }
 
-/// Removes the lock of a run that was killed when its dataset was complete already.
+/// Removes the lock of a run that was killed after its dataset was already complete.
 void removeLeftLock(const std::string& manifest) {
   if (!std::filesystem::exists(RunLock::fileOf(manifest))) return;
   try {
     const RunLock lock_of_the_dead(manifest);
   } catch (const Error&) {
-    // It is not dead, or the folder may not be written to: nothing has to be.
+    // That run is still alive, or the folder is not writable; neither matters here.
   }
 }
 
@@ -214,7 +214,7 @@ void requireFolders(const std::string& folder, const std::vector<StoreWriter>& w
   probe.keepFolders();
 }
 
-/// Whether there is nothing to do. Files are only looked for: `verify` reads them.
+/// Whether there is nothing left to do. Only checks that the files exist; `verify` reads them.
 bool isWhole(const ManifestContent& dataset) {
   return dataset.complete &&
          std::all_of(dataset.files.begin(), dataset.files.end(), [](const std::string& file) {
@@ -223,10 +223,10 @@ bool isWhole(const ManifestContent& dataset) {
          });
 }
 
-/// A run that goes on with a dataset removes and replaces files of it.
+/// Refuses files that do not belong to the run: resuming a dataset removes and replaces its files.
 void refuseForeignFiles(const ManifestContent& earlier, const std::string& folder,
                         const std::vector<StoreWriter>& writers) {
-  const std::vector<std::string> foreign = foreignFilesOf(earlier, folder, writers);
+  const std::vector<std::string> foreign = filesOutsideRun(earlier, folder, writers);
   if (foreign.empty()) return;
   throw Error("the dataset in '" + folder + "' lists files outside of it that are none of this " +
               "run's (" + firstNames(foreign) +
@@ -243,7 +243,7 @@ OpenedDataset resume(const StoreOptions& options, const std::vector<StoreWriter>
   }
   requireFolders(options.folder, writers);
   auto lock = std::make_unique<RunLock>(opened.file);
-  // The run that had the lock until now may have come to its end.
+  // The run that held the lock until now may have finished.
   if (isWhole(readManifest(opened.file))) return opened;
   opened.lock = std::move(lock);
   opened.manifest =
@@ -287,14 +287,14 @@ std::optional<EarlierRun> findEarlierRun(StoreOptions options, std::vector<Store
                                          RunDescription run) {
   makeAbsolute(options, writers);
   const std::string manifest = manifestFile(options.folder, options.shard);
-  std::error_code error;  // of a folder that may not be looked into: who needs it says so
+  std::error_code error;  // set for an unreadable folder; whoever needs the folder reports it
   if (!std::filesystem::exists(manifest, error)) return std::nullopt;
   EarlierRun found;
   found.is_written = RunLock::isHeld(manifest);
   if (found.is_written) return found;
   try {
     const ManifestContent earlier = readManifest(manifest, ManifestFiles::kLeftOut);
-    // Who draws knows it, and has not begun.
+    // Only the process that renders knows the OpenGL version, and it has not started yet.
     const auto opengl = earlier.run.software.find("opengl");
     if (opengl != earlier.run.software.end()) run.software.insert(*opengl);
     found.complete = earlier.complete;
@@ -316,7 +316,7 @@ std::vector<std::string> filesInTheWay(StoreOptions options, std::vector<StoreWr
     return EarlierDataset(options.folder, options.shard)
         .obstacles(writers, options.if_exists, options.source);
   } catch (const Error&) {
-    return {};  // which findEarlierRun says
+    return {};  // findEarlierRun reports it
   }
 }
 

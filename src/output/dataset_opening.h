@@ -12,42 +12,42 @@
 
 namespace synthetic_dataset::output {
 
-/// A dataset that a run may write now.
+/// A dataset that the run may now write to.
 struct OpenedDataset {
-  std::string file;                    ///< its manifest
-  std::unique_ptr<RunLock> lock;       ///< none where the dataset is complete already
-  std::unique_ptr<Manifest> manifest;  ///< the same
+  std::string file;                    ///< path of its manifest
+  std::unique_ptr<RunLock> lock;       ///< null if the dataset is already complete
+  std::unique_ptr<Manifest> manifest;  ///< null if the dataset is already complete
 };
 
-/// The dataset that lies where a run is to write.
+/// The dataset that already exists where a run would write.
 struct EarlierRun {
   bool complete = false;
-  std::int64_t scene_count = 0;  ///< that are there
-  bool is_written = false;       ///< another run writes it now; then nothing else is known
-  std::string fault = {};        ///< why its manifest cannot be read; then nothing else is known
+  std::int64_t scene_count = 0;  ///< number of scenes already in it
+  bool is_written = false;       ///< another run is writing it now; the other members are not set
+  std::string fault = {};        ///< why its manifest cannot be read; the other members are not set
 
-  /// Why the run cannot go on with it: what differs, a line each. Empty: it can.
+  /// Why the run cannot resume it: one line for each difference. Empty if it can.
   std::vector<std::string> differences = {};
 };
 
 /// Makes paths absolute and normalises them.
 void makeAbsolute(StoreOptions& options, std::vector<StoreWriter>& writers);
 
-/// Looks at what is there, without its files, which is quick, and changes nothing.
-/// @param run  its OpenGL need not be known yet
-/// @return nothing where no run has begun a dataset in the folder
+/// Checks quickly, without looking at the dataset's files, what already exists. Changes nothing.
+/// @param run  its OpenGL version need not be known yet
+/// @return nothing if no run has started a dataset in the folder
 [[nodiscard]] std::optional<EarlierRun> findEarlierRun(StoreOptions options,
                                                        std::vector<StoreWriter> writers,
                                                        RunDescription run);
 
-/// Files of others where a new run's files go, as openDataset would refuse them; nothing where a
-/// run would go on with a dataset, or where the dataset that is there is in the way itself.
+/// Files from elsewhere in the places where a new run would write, which openDataset would refuse.
+/// Empty if the run would resume a dataset, or if the existing dataset itself is in the way.
 [[nodiscard]] std::vector<std::string> filesInTheWay(StoreOptions options,
                                                      std::vector<StoreWriter> writers);
 
-/// Makes sure that a run can begin, or can go on with what is there, and only then removes what it
+/// Makes sure that a run can begin, or can resume what is there, and only then removes what the run
 /// is to replace (`if_exists`).
-/// @param options, writers  as makeAbsolute leaves them
+/// @param options, writers  as left by makeAbsolute
 /// @throws ErrorList as DatasetStore does
 [[nodiscard]] OpenedDataset openDataset(const StoreOptions& options,
                                         const std::vector<StoreWriter>& writers,

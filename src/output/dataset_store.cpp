@@ -35,12 +35,12 @@ std::vector<ManifestFile> manifestFiles(const std::vector<OutputFile>& files,
   return listed;
 }
 
-/// What the manifest has of depth in whole numbers, where pictures may be that. Numbers of the
-/// smaller unit are left out if all of these pictures are depth in millimetres.
+/// What the manifest records about depth as integers, in case a picture stores it that way. The
+/// finer unit is left out if all 16-bit pictures are depth in millimetres.
 std::vector<PictureFacts> wholeDepthFacts(const cv::Mat& depth,
                                           const std::vector<OutputFile>& files) {
   constexpr double kMillimetres = 1000.0;
-  constexpr double kTenths = 10000.0;  // of them
+  constexpr double kTenths = 10000.0;  // tenths of a millimetre
   std::vector<const cv::Mat*> pictures;
   for (const OutputFile& file : files) {
     if (file.pixels.type() == CV_16UC1) pictures.push_back(&file.pixels);
@@ -51,14 +51,14 @@ std::vector<PictureFacts> wholeDepthFacts(const cv::Mat& depth,
   const bool are_all = std::all_of(pictures.begin(), pictures.end(), [&](const cv::Mat* picture) {
     return picture->size() == numbers.size() && cv::norm(*picture, numbers, cv::NORM_INF) == 0.0;
   });
-  // Where there is no depth, both are the same.
+  // If there is no depth at all, both units give the same picture.
   if (are_all && cv::countNonZero(numbers) > 0) return facts;
   facts.push_back({"depth.0.0001", digestOfPixels(depthNumbers(depth, kTenths)), {}});
   return facts;
 }
 
-/// What the manifest has of the scene's own pictures: of their pixels, and of the JPEG files made
-/// of them, whose origin their pixels no longer show.
+/// What the manifest records about the scene's own pictures: facts about their pixels, and about
+/// the JPEG files made of them, whose decoded pixels no longer show where they came from.
 std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
                                          const std::vector<OutputFile>& files,
                                          const std::vector<SceneContent>& contents) {
@@ -85,7 +85,7 @@ std::vector<PictureFacts> pictureFactsOf(const SceneFacts& scene,
   return facts;
 }
 
-/// Writes all files before the first one gets its name.
+/// Writes all files before the first one receives its final name.
 std::vector<PendingFile> publish(const std::vector<OutputFile>& files,
                                  const std::vector<SceneContent>& contents) {
   std::vector<PendingFile> pending;
@@ -103,15 +103,15 @@ std::vector<PendingFile> publish(const std::vector<OutputFile>& files,
   return pending;
 }
 
-/// @param withdraw  takes back what was announced
+/// @param withdraw  takes back what was announced to the manifest
 template <class Withdraw>
 void withdrawAfterFailure(const Manifest& manifest, const Withdraw& withdraw) {
-  // Where the folder was moved, files may have moved with it, which the manifest has to know then.
+  // If the folder was moved, files may have moved with it, and the manifest must still list them.
   if (!manifest.isInPlace()) return;
   try {
     withdraw();
   } catch (const std::exception&) {
-    // The first failure is the one to be reported. Rows of files that are not there do no harm.
+    // Only the first failure is to be reported. Rows of files that do not exist do no harm.
   }
 }
 
@@ -121,9 +121,9 @@ struct DatasetStore::Impl {
   StoreOptions options;
   std::vector<StoreWriter> writers;
   OpenedDataset opened;
-  Manifest* manifest;              ///< none where the dataset was complete before
-  std::vector<bool> scenes;        ///< by index: which are there
-  std::int64_t unsafe_scenes = 0;  ///< written since the last flush
+  Manifest* manifest;                ///< null if the dataset was already complete
+  std::vector<bool> scenes;          ///< by scene index: whether the scene is there
+  std::int64_t unsynced_scenes = 0;  ///< written since the last flush
 
   Impl(const StoreOptions& store_options, std::vector<StoreWriter> store_writers,
        const RunDescription& run)
@@ -134,7 +134,7 @@ struct DatasetStore::Impl {
     if (manifest == nullptr) return;
     for (const auto& [index, state] : manifest->sceneStates()) {
       know(index);
-      if (state == SceneState::kWritten) ++unsafe_scenes;
+      if (state == SceneState::kWritten) ++unsynced_scenes;
     }
   }
 
@@ -150,8 +150,9 @@ struct DatasetStore::Impl {
                 "' made for a scene");
   }
 
-  /// Files written past a manifest that is gone would be known to nobody. Asked before and after
-  /// files get their names: what stood beside the manifest then has moved with it, if it moved.
+  /// Files written without their manifest would be unknown to everybody. Called both before and
+  /// after files receive their names: if the manifest was moved in between, the files beside it
+  /// moved too.
   void requireManifest() const {
     if (manifest->isInPlace()) return;
     throw Error("the dataset's manifest '" + manifest->file() +
@@ -170,16 +171,16 @@ struct DatasetStore::Impl {
   }
 
   void flush() {
-    if (options.sync != Sync::kOff) syncDisks(folders());
-    // Without waiting for the disk they are as safe at the end as they will ever be.
+    if (options.sync != Sync::kOff) syncFileSystems(folders());
+    // With sync off they will never be safer than now, so this is also reached then.
     manifest->markComplete();
-    unsafe_scenes = 0;
+    unsynced_scenes = 0;
   }
 
   void flushInTime() {
     constexpr std::int64_t kBatch = 64;  // scenes
     const std::int64_t limit = options.sync == Sync::kScene ? 1 : kBatch;
-    if (options.sync != Sync::kOff && unsafe_scenes >= limit) flush();
+    if (options.sync != Sync::kOff && unsynced_scenes >= limit) flush();
   }
 
   void place(const std::string& source, const ManifestFile& target) const {
@@ -192,7 +193,7 @@ struct DatasetStore::Impl {
     file.keep();
   }
 
-  /// @param make  makes the pending file of a path
+  /// @param make  makes the pending file for a path
   template <class Make>
   void addDatasetFile(ManifestFile file, const Make& make) {
     requireManifest();
@@ -244,26 +245,26 @@ void DatasetStore::commitScene(const SceneFacts& scene, const SceneFiles& files)
       throw;
     }
     impl_->know(scene.index);
-    ++impl_->unsafe_scenes;
+    ++impl_->unsynced_scenes;
     impl_->flushInTime();
   } catch (const Error& error) {
     throw Error("scene " + std::to_string(scene.index) + ": " + error.what());
   }
 }
 
-void DatasetStore::leaveOutScene(const SceneFacts& scene) {
+void DatasetStore::recordSkippedScene(const SceneFacts& scene) {
   impl_->requireManifest();
-  impl_->manifest->leaveOutScene(scene);
+  impl_->manifest->recordSkippedScene(scene);
   impl_->know(scene.index);
-  ++impl_->unsafe_scenes;
+  ++impl_->unsynced_scenes;
   impl_->flushInTime();
 }
 
-void DatasetStore::takeIn(const ShardPlace& shard) {
-  impl_->manifest->takeIn(shard.folder, shard.shard,
-                          [this](const std::string& source, const ManifestFile& target) {
-                            impl_->place(source, target);
-                          });
+void DatasetStore::mergeShard(const ShardPlace& shard) {
+  impl_->manifest->mergeShard(shard.folder, shard.shard,
+                              [this](const std::string& source, const ManifestFile& target) {
+                                impl_->place(source, target);
+                              });
   for (const auto& [index, state] : impl_->manifest->sceneStates()) impl_->know(index);
 }
 
@@ -325,7 +326,7 @@ void DatasetStore::flush() { impl_->flush(); }
 void DatasetStore::complete(const std::vector<Warning>& warnings) {
   impl_->flush();
   impl_->manifest->finish(warnings);
-  if (impl_->options.sync != Sync::kOff) syncDisks({impl_->options.folder});
+  if (impl_->options.sync != Sync::kOff) syncFileSystems({impl_->options.folder});
 }
 
 StoreCounts DatasetStore::counts() const { return impl_->manifest->counts(); }

@@ -18,7 +18,7 @@
 
 namespace synthetic_dataset::output {
 
-/// A shard of a dataset, by where its manifest lies.
+/// A shard of a dataset, identified by the folder of its manifest.
 struct ShardPlace {
   std::string folder;  ///< absolute and normalised
   Shard shard;
@@ -27,67 +27,68 @@ struct ShardPlace {
 /// The dataset on disk: files that appear whole or not at all, and the manifest that lists them.
 class DatasetStore {
  public:
-  /// Checks every folder and file for being writable, deals with what is there (`if_exists`) and
-  /// starts the manifest, or goes on with it: then scenes that a kill or a power cut left half
-  /// done are dropped first, with their files.
-  /// @throws ErrorList with all that stands in the way: a folder that cannot be made, files of an
-  ///     earlier run, a dataset of other settings (naming each that differs), another run that
-  ///     writes this dataset, two writers with the same folder (or one inside another's)
+  /// Checks that every folder and file is writable, deals with what is already there (`if_exists`),
+  /// and starts the manifest or resumes it. On resuming, scenes that a kill or a power cut left
+  /// half done are dropped first, along with their files.
+  /// @throws ErrorList with everything that stands in the way: a folder that cannot be made, files
+  ///     of an earlier run, a dataset made with other settings (naming each that differs), another
+  ///     run that is writing this dataset, two writers with the same folder (or one inside
+  ///     another's)
   DatasetStore(const StoreOptions& options, std::vector<StoreWriter> writers,
                const RunDescription& run = {});
   ~DatasetStore();
   DatasetStore(const DatasetStore&) = delete;
   DatasetStore& operator=(const DatasetStore&) = delete;
 
-  /// Whether the dataset was complete before: there is nothing to do, and nothing may be written.
+  /// Whether the dataset was already complete: there is nothing to do, and nothing may be written.
   [[nodiscard]] bool wasComplete() const;
 
   /// Whether a scene is in the dataset.
   [[nodiscard]] bool hasScene(std::int64_t index) const;
 
-  /// Encodes (equal pixels once), writes, links, and then lists the scene in the manifest.
-  /// @throws Error: what could not be written and why (a full disk, ...); the scene does not count
+  /// Encodes the files (equal pixels once), writes and links them, then lists the scene.
+  /// @throws Error saying what cannot be written and why (disk full, ...); the scene does not count
   void commitScene(const SceneFacts& scene, const SceneFiles& files);
 
-  /// Lists a scene without files, whose labels are not good enough: it is made, and not there.
+  /// Lists a scene whose labels are not good enough: it counts as done but has no files.
   /// @throws Error as commitScene does
-  void leaveOutScene(const SceneFacts& scene);
+  void recordSkippedScene(const SceneFacts& scene);
 
-  /// Takes in the scenes of a shard. Its files stay where they are; where they lie in another
-  /// folder, they are linked or copied.
-  void takeIn(const ShardPlace& shard);
+  /// Adds the scenes of a shard. Its files stay where they are; if they are in another folder, they
+  /// are linked or copied.
+  void mergeShard(const ShardPlace& shard);
 
-  /// Writes one file of a dataset as a whole, streaming.
+  /// Streams one file that belongs to the dataset as a whole.
   void writeDatasetFile(std::size_t writer, const std::string& path,
                         const DatasetOutput::Content& content);
 
-  /// The same of a file that `write` makes, given the name of one that does not exist yet.
+  /// Writes a file of the dataset by calling `write` with the name of a new file.
   void writeDatasetFileByName(std::size_t writer, const std::string& path,
                               const std::function<void(const std::string& file)>& write);
 
-  /// Gives a file of a scene one more name.
-  /// @throws Error where `scene_file` is no file that this writer made for a scene
+  /// Gives a scene's file an additional name.
+  /// @throws Error if `scene_file` is not a file that this writer made for a scene
   void linkDatasetFile(std::size_t writer, const std::string& path, const std::string& scene_file);
 
-  /// The content of a file of a scene.
+  /// The content of a scene's file.
   /// @throws Error as linkDatasetFile does
   [[nodiscard]] std::string readSceneFile(std::size_t writer, const std::string& scene_file) const;
 
   /// The records of one writer, in scene order.
   [[nodiscard]] std::unique_ptr<SceneRecords> records(std::size_t writer) const;
 
-  /// Forces what was written to the disk, unless `sync` is off.
+  /// Forces everything written so far to the disk, unless `sync` is off.
   void flush();
 
-  /// Marks the run as complete: what reads the manifest may rely on it. Nothing may be written
-  /// after it.
-  /// @param warnings  of the run as a whole, known at its end
+  /// Marks the run as complete, which readers of the manifest may rely on. Nothing may be written
+  /// afterwards.
+  /// @param warnings  about the run as a whole, known only at its end
   void complete(const std::vector<Warning>& warnings = {});
 
-  // Of all that is in the dataset, whichever run made it.
+  // Totals over everything in the dataset, whichever run made it.
   [[nodiscard]] StoreCounts counts() const;
   [[nodiscard]] std::map<std::string, std::int64_t> warningCounts() const;  ///< kind to count
-  [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;  ///< of the run's objects
+  [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;  ///< one per object of the run
   [[nodiscard]] std::vector<SplitCounts> splitCounts() const;    ///< that have scenes, by name
   [[nodiscard]] std::string manifestPath() const;
 

@@ -23,13 +23,13 @@ bool isThere(const std::string& path) {
   return fs::exists(fs::symlink_status(path, error));
 }
 
-/// A manifest with what SQLite keeps beside it, and its lock.
+/// A manifest together with its lock and the files that SQLite keeps beside it.
 std::vector<std::string> filesOfManifest(const std::string& manifest) {
   return {manifest + "-journal",   manifest + "-wal",         manifest + "-shm",
           temporaryPath(manifest), RunLock::fileOf(manifest), manifest};
 }
 
-/// Removes folders of the dataset's writers that are empty, beginning at this one.
+/// Removes empty folders of the dataset's writers, from this one upwards.
 void removeEmptyFolders(fs::path folder, const ManifestContent& content) {
   const auto isOfAWriter = [&content](const std::string& name) {
     return std::any_of(
@@ -43,8 +43,8 @@ void removeEmptyFolders(fs::path folder, const ManifestContent& content) {
 
 }  // namespace
 
-std::vector<std::string> foreignFilesOf(const ManifestContent& content, const std::string& folder,
-                                        const std::vector<StoreWriter>& writers) {
+std::vector<std::string> filesOutsideRun(const ManifestContent& content, const std::string& folder,
+                                         const std::vector<StoreWriter>& writers) {
   std::vector<std::string> folders = {folder};
   std::set<std::string> user_files;
   for (const StoreWriter& writer : writers) {
@@ -137,7 +137,8 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
   }
   for (const StoreWriter& writer : writers) {
     std::vector<std::string> unlisted = unlistedFiles(writer);
-    // They may be another shard's, which makes its manifest before its files: asked in this order.
+    // They may belong to another shard. Shards make their manifest before any file, so list the
+    // files first and only then look for manifests.
     if (shard_ && !shardManifests(folder_).empty()) unlisted.clear();
     if (!unlisted.empty()) {
       obstacles.push_back("writer '" + writer.name + "': the folder '" + writer.output_folder +
@@ -165,7 +166,7 @@ std::vector<std::string> EarlierDataset::foreignFiles(
     const std::vector<StoreWriter>& writers) const {
   std::vector<std::string> foreign;
   for (const Listed& listed : replaced_) {
-    for (std::string& file : foreignFilesOf(listed.content, folder_, writers)) {
+    for (std::string& file : filesOutsideRun(listed.content, folder_, writers)) {
       foreign.push_back(std::move(file));
     }
   }
@@ -180,7 +181,7 @@ std::vector<std::string> EarlierDataset::unlistedFiles(const StoreWriter& writer
     std::error_code ignored;
     if (entry->symlink_status(ignored).type() == fs::file_type::directory) continue;
     const std::string path = entry->path().string();
-    if (FolderProbe::isProbe(path)) continue;    // of a run that begins at this moment
+    if (FolderProbe::isProbe(path)) continue;    // of a run that is just starting
     const auto& user_files = writer.user_files;  // obstacles() looks at these one by one
     if (known_files_.count(path) != 0 ||
         std::find(user_files.begin(), user_files.end(), path) != user_files.end()) {
@@ -193,7 +194,7 @@ std::vector<std::string> EarlierDataset::unlistedFiles(const StoreWriter& writer
 }
 
 void EarlierDataset::remove() const {
-  const std::string own = manifestFile(folder_, shard_);  // which is locked by the new run
+  const std::string own = manifestFile(folder_, shard_);  // locked by the new run already
   std::vector<std::unique_ptr<RunLock>> locks;
   for (const Listed& listed : replaced_) {
     if (listed.manifest != own) locks.push_back(std::make_unique<RunLock>(listed.manifest));
@@ -204,7 +205,7 @@ void EarlierDataset::remove() const {
 void EarlierDataset::removeOne(const Listed& listed) const {
   std::vector<std::string> failures;
   const auto removeFile = [&failures](const std::string& file) {
-    // unlink(2) removes no folder, whatever a manifest says.
+    // unlink(2) does not remove folders, whatever a manifest claims.
     if (::unlink(file.c_str()) != 0 && errno != ENOENT && errno != ENOTDIR) {
       failures.push_back("cannot remove '" + file + "': " + std::generic_category().message(errno));
     }
@@ -217,7 +218,7 @@ void EarlierDataset::removeOne(const Listed& listed) const {
   for (const StoreWriter& writer : listed.content.writers) {
     removeEmptyFolders(fs::path(writer.output_folder).parent_path(), listed.content);
   }
-  // The manifest stays as long as there is something that it lists.
+  // The manifest stays as long as anything it lists still exists.
   if (!failures.empty()) throw ErrorList(failures);
   for (const std::string& file : filesOfManifest(listed.manifest)) {
     if (file != RunLock::fileOf(listed.manifest)) removeFile(file);

@@ -33,7 +33,7 @@ const char* kindOf(fs::file_type type) {
                                           : "no regular file";
 }
 
-/// What lies beside a manifest and belongs to it, or is a page about the dataset.
+/// The files beside a manifest that belong to it, and the report page.
 std::vector<std::string> companionsOf(const std::string& manifest) {
   const std::string report = reportFile(fs::path(manifest).parent_path().string());
   return {manifest,
@@ -74,7 +74,7 @@ FileFinding checkFile(const std::string& path, const std::string& linked_to, con
                 std::to_string(size) + " bytes; it should have " + std::to_string(file.bytes),
             false};
   }
-  // Of two names of one file, the other one is read.
+  // If both are names of the same file, only the other one is read.
   const bool is_same = !linked_to.empty() && fs::equivalent(path, linked_to, error);
   if (how == FileCheck::kSize || is_same) return {};
   return {contentProblem(path, file), true};
@@ -90,7 +90,7 @@ std::string pathProblem(const ListedFile& file, const WrittenDataset& dataset) {
   if (path.empty() || path.back() == '/' || absolutePath(path) != path) {
     return "is no path of a file";
   }
-  // Files of the dataset as a whole may be anywhere: the user names some of them.
+  // Files of the dataset as a whole may be anywhere, since the user names some of them.
   const auto& writers = dataset.content().writers;
   if (!file.scene || file.writer >= writers.size()) return "";
   const StoreWriter& writer = writers[file.writer];

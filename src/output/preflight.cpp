@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kProbe = ".synthetic_dataset_probe_";  // how the names of probes begin
+constexpr const char* kProbe = ".synthetic_dataset_probe_";  // prefix of the names of probe files
 
-/// Without symbolic links, as far as the path exists, and without a `/` at its end.
+/// Resolves symbolic links as far as the path exists; without a trailing `/`.
 std::string realPath(const std::string& path) {
   std::error_code error;
   std::string real = fs::weakly_canonical(path, error).string();
@@ -69,14 +69,15 @@ void compareUserFiles(const std::string& manifest_file, const std::vector<UserFi
   }
 }
 
-/// Makes a file that does not stay. @return 0, or why none can be made
+/// Makes a temporary file. @return 0, or the errno value if none can be made
 int tryFile(const std::string& folder) {
-  // Without a name, so that nothing stays whenever the process is killed.
+  // Unnamed, so that nothing is left behind even if the process is killed.
   int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
   const bool is_known = descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR &&
                                             errno != EINVAL && errno != ENOENT);
   if (!is_known) {
-    // Not on this file system. A name of its own: other runs may begin here at this moment.
+    // Not supported by this file system. Use a unique name, since other runs may be starting here
+    // right now.
     std::string probe = (fs::path(folder) / kProbe).string() + "XXXXXX";
     descriptor = ::mkstemp(probe.data());
     if (descriptor >= 0) ::unlink(probe.c_str());
@@ -103,7 +104,7 @@ std::vector<std::string> layoutProblems(const std::string& manifest_file,
 }
 
 FolderProbe::~FolderProbe() {
-  // rmdir(2) leaves a folder alone that something has been put into meanwhile.
+  // rmdir(2) leaves a folder alone if something has been put into it meanwhile.
   std::for_each(made_.rbegin(), made_.rend(),
                 [](const std::string& folder) { ::rmdir(folder.c_str()); });
 }

@@ -7,13 +7,13 @@
 
 namespace synthetic_dataset::output {
 
-/// Settings and places of writers that cannot be as they are: folders shared or nested, files that
-/// two writers would make. All paths absolute and normalised.
+/// Conflicts in the layout of the writers: shared or nested folders, files that two writers would
+/// both make. All paths are absolute and normalised.
 [[nodiscard]] std::vector<std::string> layoutProblems(const std::string& manifest_file,
                                                       const std::vector<StoreWriter>& writers);
 
-/// Makes folders, finds out by trying whether files can be made in them, and removes the folders
-/// again at the end of its life unless they are kept.
+/// Makes folders and tests whether files can be made in them. The destructor removes the folders
+/// again unless they are kept.
 class FolderProbe {
  public:
   FolderProbe() = default;
@@ -24,10 +24,10 @@ class FolderProbe {
   /// @param owner  for the message: "writer 'yolo'"
   void tryFolder(const std::string& owner, const std::string& folder);
 
-  /// What did not work, naming owner, folder and reason.
+  /// What failed, naming the owner, the folder and the reason.
   [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
-  /// Whether a file is what a probe leaves for a moment.
+  /// Whether a file is the temporary file of a probe.
   [[nodiscard]] static bool isProbe(const std::string& path);
 
   void keepFolders() { made_.clear(); }

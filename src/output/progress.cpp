@@ -47,7 +47,7 @@ void Progress::sceneDone() {
   std::string shown = text(now);
   if (display_ == Display::kTerminal) {
     const std::size_t width = shown.size();
-    shown.resize(std::max(width, last_width_), ' ');  // over the rest of the last text
+    shown.resize(std::max(width, last_width_), ' ');  // overwrites the rest of the previous text
     last_width_ = width;
     shown = "\r" + shown + (last ? "\n" : "");
   }

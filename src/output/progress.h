@@ -9,22 +9,22 @@ namespace synthetic_dataset::output {
 /// Reports how far a run is: percent, scenes per second, time left.
 class Progress {
  public:
-  /// A clock that never goes back [s].
+  /// A monotonic clock [s].
   using Clock = std::function<double()>;
 
-  /// Takes pieces of text as they are to appear, without a newline but at a terminal's last line.
+  /// Receives text as it is to appear: no newline, except after the last text on a terminal.
   using Sink = std::function<void(const std::string& text)>;
 
   enum class Display {
     kTerminal,  ///< one line that rewrites itself: each text begins with `\r`
-    kLog,       ///< a message now and then
+    kLog,       ///< a message from time to time
   };
 
-  /// The clock is read here for the first time.
-  /// @param scene_count  how many scenes there will be
+  /// Reads the clock for the first time.
+  /// @param scene_count  the total number of scenes
   Progress(std::int64_t scene_count, Display display, Clock clock, Sink sink);
 
-  /// Shows the progress after the first scene, after the last one, and in between not too often.
+  /// Shows the progress after the first scene, after the last one, and at intervals in between.
   void sceneDone();
 
  private:

@@ -30,7 +30,7 @@ std::uint32_t checksumOf(const cv::Mat& pixels) {
   return sum;
 }
 
-/// Whether these are not only alike, as images that several writers were given are.
+/// Whether both are the very same image in memory, as when several writers were given it.
 bool areSame(const cv::Mat& a, const cv::Mat& b) {
   return a.data == b.data && a.size() == b.size() && a.type() == b.type() && a.step[0] == b.step[0];
 }
@@ -50,15 +50,15 @@ bool haveSamePixels(const cv::Mat& a, const cv::Mat& b) {
   return same;
 }
 
-/// Images that were given before, several times perhaps, as all writers of a scene are given the
-/// same.
+/// Images seen before: all writers of a scene are given the same images, so the same one may come
+/// several times.
 class GivenImages {
  public:
   void add(const OutputFile& file, base::ImageFormat format, std::size_t content) {
     given_.push_back({&file, format, content});
   }
 
-  /// The content of the same image.
+  /// The content index of the same image.
   [[nodiscard]] std::optional<std::size_t> find(const OutputFile& file,
                                                 base::ImageFormat format) const {
     const auto found = std::find_if(given_.begin(), given_.end(), [&](const Given& other) {
@@ -81,7 +81,7 @@ class GivenImages {
 /// Finds images of equal pixels, without encoding them.
 class EqualImages {
  public:
-  /// The content of an equal image; where there is none, the image has this content from now on.
+  /// The content index of an equal image. If there is none, registers the image under `content`.
   std::optional<std::size_t> find(const OutputFile& file, base::ImageFormat format,
                                   std::size_t content) {
     const cv::Mat& pixels = file.pixels;
@@ -92,7 +92,7 @@ class EqualImages {
     auto& alike = images_[std::make_tuple(pixels.rows, pixels.cols, pixels.type(), format,
                                           std::move(colours))];
     alike.push_back({pixels, content, std::nullopt});
-    if (alike.size() == 1) return std::nullopt;  // of its kind
+    if (alike.size() == 1) return std::nullopt;  // the first of its kind
     const std::uint32_t sum = alike.back().sum();
     const auto equal = std::find_if(alike.begin(), alike.end(), [&](Image& image) {
       return image.sum() == sum && haveSamePixels(image.pixels, pixels);
@@ -106,7 +106,7 @@ class EqualImages {
   struct Image {
     cv::Mat pixels;
     std::size_t content;
-    std::optional<std::uint32_t> checksum;  ///< once it was asked for
+    std::optional<std::uint32_t> checksum;  ///< set on first use
 
     [[nodiscard]] std::uint32_t sum() {
       if (!checksum) checksum = checksumOf(pixels);
@@ -130,7 +130,7 @@ SceneContent encoded(const OutputFile& file, const base::ImageQuality& quality) 
   }
 }
 
-/// Collects what files hold.
+/// Collects the contents of files.
 class SceneEncoder {
  public:
   SceneEncoder(const base::ImageQuality& quality, const RecordedJpeg& recorded)
@@ -157,13 +157,14 @@ class SceneEncoder {
   [[nodiscard]] std::vector<SceneContent> take() { return std::move(contents_); }
 
  private:
-  /// Of masks; looking through their pixels for equal ones takes longer than compressing them.
+  /// Whether an image is encoded quickly, as masks are: comparing their pixels with those of others
+  /// takes longer than compressing them.
   [[nodiscard]] static bool isSoonEncoded(const OutputFile& file, base::ImageFormat format) {
     return file.pixels.type() == CV_8UC1 && format == base::ImageFormat::kPng &&
            file.palette.empty();
   }
 
-  /// The mask as pixels, which are kept no longer than it takes to encode them.
+  /// The whole mask as pixels, which are kept only while they are encoded.
   [[nodiscard]] static OutputFile wholeMask(const OutputFile& file) {
     OutputFile whole;
     whole.path = file.path;

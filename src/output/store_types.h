@@ -15,26 +15,26 @@ struct StoreWriter {
   std::string name;
   std::string type;
   std::string output_folder;            ///< absolute, ending in `/`
-  std::vector<std::string> user_files;  ///< absolute paths of files that it makes anywhere else
+  std::vector<std::string> user_files;  ///< absolute paths of files that it makes elsewhere
 };
 
-/// A file that one scene or the dataset gets: pixels, a mask or text.
+/// A file to be made for one scene or for the dataset: pixels, a mask or text.
 struct OutputFile {
   std::size_t writer = 0;  ///< index in the store's writers
   std::string path;        ///< absolute
   cv::Mat pixels;          ///< empty for a mask or a text file
   std::string text;
-  std::vector<cv::Vec3b> palette = {};  ///< not empty: the pixels are indices of it
-  Mask mask = {};                       ///< of no image unless the file is one of it
+  std::vector<cv::Vec3b> palette = {};  ///< if not empty, the pixels are indices into it
+  Mask mask = {};                       ///< has an empty image size unless the file is a mask
 };
 
-/// A picture that was a JPEG file before: where it is to be one again, it is that file.
+/// A picture from a JPEG file: if it is to be stored as a JPEG again, the original bytes are used.
 struct RecordedJpeg {
   cv::Mat pixels;
-  std::vector<std::uint8_t> bytes;  ///< empty: it was none
+  std::vector<std::uint8_t> bytes;  ///< empty if it did not come from a JPEG file
 };
 
-/// All that the writers want for one scene.
+/// Everything that the writers want to store for one scene.
 struct SceneFiles {
   struct Record {
     std::size_t writer = 0;  ///< index in the store's writers
@@ -50,24 +50,25 @@ struct SceneFiles {
 struct StoreCounts {
   std::int64_t scenes = 0;
   std::int64_t files = 0;
-  std::int64_t bytes = 0;  ///< a linked file counts once
+  std::int64_t bytes = 0;  ///< linked files count once
 };
 
-/// In how many scenes an object was found.
+/// The number of scenes in which an object was found.
 struct ObjectCounts {
-  std::int64_t in_view = 0;  ///< by its loose box
-  std::int64_t seen = 0;     ///< with a visible pixel, where these were counted
-  std::int64_t dropped = 0;  ///< of those in view: below the thresholds
-  std::int64_t counted = 0;  ///< in which its visible pixels were counted
+  std::int64_t in_view = 0;  ///< judged by its loose box
+  std::int64_t seen = 0;     ///< with a visible pixel, where visible pixels were counted
+  std::int64_t dropped = 0;  ///< in view, but below the thresholds
+  std::int64_t counted = 0;  ///< scenes in which its visible pixels were counted
 
-  /// In which it should have a label: seen, or where that was not counted in view, and not dropped.
+  /// Scenes in which it should have a label: seen (or in view, if its pixels were not counted) and
+  /// not dropped.
   std::int64_t labelled = 0;
 
-  std::int64_t compared = 0;         ///< with a mask by background subtraction and an exact one
-  double mean_mask_agreement = 0.0;  ///< intersection over union of these, 0 .. 1
+  std::int64_t compared = 0;         ///< scenes with a background-subtraction mask and an exact one
+  double mean_mask_agreement = 0.0;  ///< mean intersection over union of the two, 0 .. 1
 };
 
-/// What a part of a split dataset holds.
+/// What one split of a dataset holds.
 struct SplitCounts {
   std::string name;
   std::int64_t scenes = 0;

@@ -9,7 +9,7 @@ Value::Map writerSettings(const std::map<std::string, Value>& settings, const st
   Value::Map parameters;
   for (auto each = settings.lower_bound(group);
        each != settings.end() && each->first.compare(0, group.size(), group) == 0; ++each) {
-    // One level of groups alone: a class's or an object's name may have slashes.
+    // Only one level of groups: the name of a class or an object may contain slashes.
     const std::string name = each->first.substr(group.size());
     const std::size_t slash = name.find('/');
     Value& entry = parameters[name.substr(0, slash)];

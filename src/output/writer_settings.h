@@ -7,8 +7,8 @@
 
 namespace synthetic_dataset::output {
 
-/// The settings below a writer's name.
-/// @param settings  by their full names, as a manifest has them
+/// The settings in a writer's group.
+/// @param settings  by their full names, as in a manifest
 [[nodiscard]] Value::Map writerSettings(const std::map<std::string, Value>& settings,
                                         const std::string& writer);
 

@@ -46,7 +46,7 @@ ListedFile fileAt(const base::SqliteStatement& row) {
   return file;
 }
 
-/// From seven columns: position and quaternion.
+/// Reads seven columns: position and quaternion.
 Pose poseAt(const base::SqliteStatement& row, int first) {
   return makePose({row.real(first), row.real(first + 1), row.real(first + 2)},
                   Eigen::Quaterniond(row.real(first + 6), row.real(first + 3), row.real(first + 4),
@@ -241,7 +241,7 @@ bool WrittenDataset::lists(const std::string& path) const {
 }
 
 bool WrittenDataset::listsTemporary(const std::string& path) const {
-  // The name of the file is in that of its temporary file, unless it is a long one.
+  // A temporary file's name contains that of the file, unless the latter is long.
   const std::string folder = path.substr(0, path.rfind('/') + 1);
   const std::string name = path.substr(folder.size());
   const std::string end = ".tmp";

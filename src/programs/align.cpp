@@ -2,8 +2,8 @@
 ///
 ///   rosrun synthetic_dataset align [--focal-length] FILE [NAME:=VALUE ...]
 ///
-/// Exit code 0 with settings on the standard output, 3 where the recording cannot say, 1 for a
-/// failure.
+/// Exit code 0 with settings on the standard output, 3 if the recording does not determine them, 1
+/// for a failure.
 
 #include <algorithm>
 #include <exception>

@@ -1,8 +1,8 @@
-/// The tool `check`: looks at the run of a settings file before it is made.
+/// The tool `check`: examines the run of a settings file before it is made.
 ///
 ///   rosrun synthetic_dataset check FILE [NAME:=VALUE ...] [--out DIR]
 ///
-/// Exit code 0 if nothing is odd, 3 if something is, 1 if there could be no such run.
+/// Exit code 0 if nothing is odd, 3 if something is, 1 if the run is not possible.
 
 #include <exception>
 #include <iostream>

@@ -1,5 +1,5 @@
-/// The tool `draw_labels`: draws a written dataset's labels on its images, from the files alone,
-/// for the eye.
+/// The tool `draw_labels`: draws a written dataset's labels on its images, for people to look at,
+/// using only the dataset's files.
 
 #include <charconv>
 #include <cstdint>
@@ -59,7 +59,7 @@ struct Arguments {
   std::vector<std::string> names;
 };
 
-/// Nothing for arguments that make no sense.
+/// Returns nothing for invalid arguments.
 std::optional<Arguments> parse(const std::vector<std::string>& given) {
   Arguments arguments;
   for (std::size_t i = 0; i < given.size(); ++i) {
@@ -144,7 +144,7 @@ void drawOne(const std::vector<std::string>& names) {
 }
 
 /// Draws all scenes. @return how many
-/// @param use  gets each sheet with its scene's name
+/// @param use  receives each sheet with its scene's name
 template <class Use>
 std::int64_t drawEach(programs::LabelSheets& sheets, const Use& use) {
   const std::vector<std::int64_t> scenes = sheets.dataset().scenes();
@@ -163,7 +163,7 @@ std::int64_t drawEach(programs::LabelSheets& sheets, const Use& use) {
   return drawn;
 }
 
-/// Makes the folder FOLDER, which is to be empty and no writer's.
+/// Makes the folder FOLDER, which has to be empty and outside of all writers' folders.
 void makeFolder(const fs::path& folder, const programs::LabelSheets& sheets) {
   if (sheets.dataset().isInAWriter(folder)) {
     throw Error("FOLDER: '" + folder.string() +
@@ -181,7 +181,7 @@ void makeFolder(const fs::path& folder, const programs::LabelSheets& sheets) {
   }
 }
 
-/// A scene's name as one of a file: of several cameras, it has a folder.
+/// A scene's name as a file name: with several cameras, the scene's name contains a folder.
 std::string fileNameOf(std::string scene) {
   for (char& c : scene) c = c == '/' ? '_' : c;
   return scene;

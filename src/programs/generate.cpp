@@ -40,13 +40,13 @@ using namespace synthetic_dataset;
 constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kOdd = 3;            // of --check
-constexpr int kInterrupted = 128;  // plus the signal's number, as shells have it
+constexpr int kInterrupted = 128;  // plus the signal's number, as in shells
 
-/// Whether this is a node now, with a parameter server to ask; says why not.
+/// Starts the ROS node. Returns whether there is a parameter server to ask; if not, prints why.
 bool startNode(int argc, char** argv) {
   try {
     ros::init(argc, argv, "generate", ros::init_options::NoSigintHandler);
-  } catch (const std::exception& error) {  // no folder for logs, for one
+  } catch (const std::exception& error) {  // for example, no folder for logs
     std::cerr << "generate: ROS cannot start: " << base::printable(error.what()) << '\n';
     return false;
   }
@@ -62,14 +62,14 @@ std::string settingsText(bool as_json) {
   return base::jsonText(programs::settingsSchema()) + "\n";
 }
 
-/// The settings of a file, with what short forms in it stand for.
+/// Prints the settings of a file with its short forms expanded.
 int printSpelledOut(const Value& settings, bool as_json) {
   const Value spelled = run::spelledOut(settings);
   std::cout << (as_json ? base::jsonText(spelled) + "\n" : programs::settingsYaml(spelled));
   return kDone;
 }
 
-/// How a run ended, for scripts: the last line on stdout.
+/// Tells scripts how a run ended, in the last line on stdout.
 void printEnd(const programs::CommandLine& command_line, const std::string& result,
               Value::Map value) {
   if (!command_line.as_json) return;
@@ -89,7 +89,7 @@ void printErrors(const programs::CommandLine& command_line,
   printEnd(command_line, "failed", {{"errors", Value(texts)}});
 }
 
-/// How a run came to its end.
+/// How a run ended.
 struct Ended {
   bool was_stopped = false;
   Value::Map summary;
@@ -138,8 +138,8 @@ bool anyInProcesses(const std::vector<Value>& runs) {
                      [](const Value& each) { return programs::ParallelRun(each).isPossible(); });
 }
 
-/// Where one of several runs forks, each is in a process of its own: one that draws has threads,
-/// and a process that is forked beside threads may wait for ever.
+/// If one of several runs forks, each is made in a process of its own: a run that draws has
+/// threads, and a process that is forked while there are other threads may wait for ever.
 int generateEachApart(const std::vector<Value>& runs, const programs::CommandLine& command_line,
                       run::Reporter& reporter) {
   const auto work = [&](int run, run::Reporter& of_run) {
@@ -166,7 +166,7 @@ int generate(const Value& settings, const programs::CommandLine& command_line,
   return kDone;
 }
 
-/// Makes the dataset of the settings that `read_settings` finds; reports what is wrong with them.
+/// Makes the dataset of the settings that `read_settings` returns; reports what is wrong with them.
 template <class ReadSettings>
 int generateOrReport(const programs::CommandLine& command_line, run::Reporter& reporter,
                      ReadSettings read_settings) {
@@ -200,8 +200,7 @@ int main(int argc, char** argv) {
     std::cout << settingsText(command_line.as_json);
     return kDone;
   }
-  // Messages appear when they are made, also in files: a program that is stopped at once loses
-  // none.
+  // Flushes each line, also into files, so that no message is lost if the program is killed.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   programs::stop_signals::install();
   if (command_line.config) {
@@ -214,7 +213,7 @@ int main(int argc, char** argv) {
     });
   }
   if (!startNode(argc, argv)) return kFailed;
-  std::optional<ros::NodeHandle> node;  // to the end: without it, rosconsole prints nothing
+  std::optional<ros::NodeHandle> node;  // kept to the end: without it, rosconsole prints nothing
   programs::RunTopics reporter(node);
   return generateOrReport(command_line, reporter, [&] {
     Value settings = programs::readRosParameters(run::rosPackageFinder());

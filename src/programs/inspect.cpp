@@ -1,4 +1,4 @@
-/// The tool `inspect`: what there is in recordings, worlds and models.
+/// The tool `inspect`: prints the contents of recordings, worlds and models.
 ///
 ///   rosrun synthetic_dataset inspect [--json] BAG... | WORLD | MODEL
 ///

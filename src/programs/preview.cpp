@@ -4,7 +4,7 @@
 ///   roslaunch synthetic_dataset preview.launch config:=FILE
 ///
 /// Its settings are those of `generate`, in the same parameters. Exit code 0 when ROS shuts down, 1
-/// where it cannot start.
+/// if it cannot start.
 
 #include <exception>
 #include <iostream>

@@ -1,8 +1,8 @@
-/// The program `setup_assistant`: a page in the browser that sets a run up, and its server.
+/// The program `setup_assistant`: serves a page in the browser by which a run is set up.
 ///
 ///   rosrun synthetic_dataset setup_assistant [FILE] [BAG...] [--folder DIR]...
 ///
-/// Serves until SIGINT or SIGTERM; exit code 1 when it cannot begin.
+/// Serves until SIGINT, SIGTERM or SIGHUP; exit code 1 when it cannot start.
 
 #include <pthread.h>
 
@@ -26,7 +26,7 @@ namespace {
 
 using namespace synthetic_dataset;
 
-/// Blocked before there are threads, so that none of them is interrupted.
+/// Blocks the signals that end the server, before there are threads, so that none is interrupted.
 sigset_t endingSignals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -35,7 +35,7 @@ sigset_t endingSignals() {
   return signals;
 }
 
-/// As browsers write an address; of one that means all of this machine's, its name.
+/// An address in the form used in URLs; this machine's name if it means all of its addresses.
 std::string hostIn(const std::string& address) {
   if (address == "0.0.0.0" || address == "::") return programs::machineName();
   return address.find(':') == std::string::npos ? address : "[" + address + "]";
@@ -57,7 +57,7 @@ int serve(const programs::AssistantOptions& options) {
             << std::endl;
   int signal = 0;
   sigwait(&signals, &signal);
-  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends it at once
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the process at once
   assistant.close();
   server.stop();
   return 0;

@@ -1,8 +1,8 @@
-/// The tool `start`: a settings file for a recording.
+/// The tool `start`: writes a settings file for a recording.
 ///
 ///   rosrun synthetic_dataset start BAG... [--world WORLD] [--model NAME=FILE ...] [-o FILE]
 ///
-/// Exit code 0, also with gaps that are marked; 1 when a file cannot be read or written.
+/// Exit code 0, even with gaps, which are marked; 1 when a file cannot be read or written.
 
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 bool isOnTerminal() { return ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1; }
 
-/// What the user answers, or the default where nothing is answered.
+/// Returns the user's answer, or the default if it is empty.
 std::string ask(const std::string& question, const std::string& fallback) {
   std::cerr << question << " [" << fallback << "] " << std::flush;
   std::string answer;
@@ -78,7 +78,7 @@ std::vector<std::string> formatsOf(const programs::StartLine& line) {
   return formats;
 }
 
-/// Never over a file.
+/// Writes a file, but never over an existing one.
 void writeNew(const std::string& file, const std::string& text) {
   if (fs::exists(fs::symlink_status(file))) {
     throw Error("-o: '" + file + "' is there already; another name would be right");

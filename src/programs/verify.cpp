@@ -2,10 +2,10 @@
 ///
 ///   rosrun synthetic_dataset verify [--quick | --redraw] DATASET...
 ///
-/// DATASET is the folder of a run's manifest, or of those of its shards. A line on the standard
-/// output for each problem; exit code 0 without any, 1 with some, 2 for a wrong usage. With
-/// --quick, only that the files are there and have their sizes, beside the manifest itself; with
-/// --redraw, whether its inputs make the same scenes again, too.
+/// DATASET is the folder of a run's manifest, or of those of its shards. Prints a line on the
+/// standard output for each problem; exit code 0 without any, 1 with some, 2 for a wrong usage.
+/// With --quick, it only checks the manifest itself, and that the files exist and have their sizes;
+/// with --redraw, it also checks that the inputs give the same scenes again.
 
 #include <unistd.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 using namespace synthetic_dataset;
 
-/// Lines on the standard output; how far it is, on a terminal.
+/// Prints lines on the standard output, and the progress if there is a terminal.
 class Console : public output::VerificationListener {
  public:
   void problem(const std::string& line) override {
@@ -56,7 +56,7 @@ class Console : public output::VerificationListener {
     std::cout << base::printable(line) << std::endl;
   }
 
-  static constexpr const char* kEraseRest = "\033[K";  // of the line: ECMA-48, EL
+  static constexpr const char* kEraseRest = "\033[K";  // to the line's end: ECMA-48, EL
 
   bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
   bool is_shown_ = false;

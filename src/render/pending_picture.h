@@ -6,7 +6,8 @@
 
 namespace synthetic_dataset::render {
 
-/// Makes a picture of what OpenGL has drawn; may be called in any thread, while the renderer lives.
+/// Makes a picture of what OpenGL has drawn; may be called from any thread while the renderer
+/// exists.
 using PendingPicture = std::function<cv::Mat()>;
 
 }  // namespace synthetic_dataset::render

@@ -9,7 +9,7 @@ namespace synthetic_dataset::render {
 PendingPicture PictureMakers::begun(PendingPicture picture) {
   const auto make =
       std::make_shared<std::packaged_task<cv::Mat()>>([picture = std::move(picture)]() mutable {
-        return std::exchange(picture, {})();  // what it was made of is freed
+        return std::exchange(picture, {})();  // frees what it was made of
       });
   std::shared_future<cv::Mat> made = make->get_future().share();
   std::optional<base::BackgroundWorker>& worker = workers_.at(next_++ % workers_.size());

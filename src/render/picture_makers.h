@@ -9,13 +9,14 @@
 
 namespace synthetic_dataset::render {
 
-/// Makes pictures in the background, two at a time, as parts of making one keep a single core busy.
-/// Its threads stay: each new one would take memory that libraries never give back.
+/// Makes pictures in the background, two at a time, because parts of making one use a single core
+/// only. The threads are kept: each new one would take memory that libraries never free.
 class PictureMakers {
  public:
-  /// The same picture, made from now on. Waits while its thread has one in work and one that waits.
-  /// @param picture  may wait for others that were begun before
-  /// @throws Error where the system starts no thread
+  /// Starts making the picture in the background and returns a handle that waits for it. Blocks
+  /// while the thread that will make it is busy and already has another picture queued.
+  /// @param picture  may wait for others that were begun before it
+  /// @throws Error if the system cannot start a thread
   [[nodiscard]] PendingPicture begun(PendingPicture picture);
 
  private:

@@ -17,8 +17,8 @@ bool RecentViews::comesBack(const View& view) {
   return times >= kOften;
 }
 
-std::size_t RecentViews::mostOf(std::size_t bytes) {
-  constexpr std::size_t kMemory = 512U << 20U;  // [byte] of all
+std::size_t RecentViews::maxKept(std::size_t bytes) {
+  constexpr std::size_t kMemory = 512U << 20U;  // [byte] in total
   constexpr std::size_t kMost = 8;
   return std::clamp(kMemory / bytes, std::size_t{1}, kMost);
 }

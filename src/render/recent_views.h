@@ -9,18 +9,19 @@
 
 namespace synthetic_dataset::render {
 
-/// The views that pictures were taken from lately: what is drawn from one is worth keeping if it
-/// comes back.
+/// The views from which pictures were taken recently: what is drawn from a view is worth keeping if
+/// that view recurs.
 class RecentViews {
  public:
-  /// Whether pictures are taken from here again and again, not only several of one instant;
-  /// remembers this one.
+  /// Whether pictures are taken from this view repeatedly, rather than a few times for one instant.
+  /// Records the view.
   [[nodiscard]] bool comesBack(const View& view);
 
   void forget() { recent_.clear(); }
 
-  /// From how many views something is kept that takes this much memory each [byte]; at least one.
-  [[nodiscard]] static std::size_t mostOf(std::size_t bytes);
+  /// The number of views for which to keep data that takes this much memory each [byte]; at least
+  /// one.
+  [[nodiscard]] static std::size_t maxKept(std::size_t bytes);
 
  private:
   struct Seen {

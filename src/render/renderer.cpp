@@ -21,7 +21,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// What is drawn where some regions are asked for.
+/// The regions to draw, cropped to the image; the whole image if none are given.
 std::vector<cv::Rect> within(const cv::Rect& image, std::vector<cv::Rect> regions) {
   if (regions.empty()) return {image};
   for (cv::Rect& region : regions) region &= image;
@@ -66,7 +66,7 @@ struct Renderer::Impl {
             options.reuse};
   }
 
-  /// What is subtracted from one another has simple light.
+  /// Pictures that are subtracted from one another have simple light.
   [[nodiscard]] LightDetail detailOf(const ColourPass& pass) const {
     return pass.sampling == Sampling::kSmooth ? options.light : LightDetail::kSimple;
   }
@@ -115,7 +115,7 @@ struct Renderer::Impl {
     };
   }
 
-  /// Shadow maps that hold what is seen shaded at any of these moments.
+  /// Shadow maps that cover everything that is seen at any of these moments.
   std::vector<ShadowProjection> sharedShadows(const CameraModel& camera,
                                               const std::vector<RollingMoment>& moments,
                                               const ColourPass& pass) {
@@ -137,7 +137,7 @@ struct Renderer::Impl {
                              detailOf(pass));
   }
 
-  /// A picture for each band, at the time of its middle.
+  /// Draws each band at the time of its middle row.
   static PendingPicture drawInBands(const RollingView& view, const ColourPass& pass,
                                     Renderer& renderer) {
     cv::Mat picture(view.camera.height(), view.camera.width(), CV_8UC3);
@@ -156,7 +156,7 @@ struct Renderer::Impl {
   std::vector<world::Light> lights;
   std::int64_t look_revision = 0;
 
-  OffscreenContext context;  // before all that lives in it
+  OffscreenContext context;  // before everything that lives in it
   const GlFunctions& gl;
   DrawList draw_list;
   GeometryPainter geometry_painter;
@@ -170,7 +170,7 @@ struct Renderer::Impl {
   SilhouettePainter silhouette_painter;
   PainterCache pictures;
   LensPainter lens_painter;
-  PictureMakers makers;  ///< last: what they make needs the others
+  PictureMakers makers;  ///< last: the pictures they make need the other members
 };
 
 Renderer::Renderer(const world::Description& description,
@@ -218,7 +218,7 @@ void Renderer::drawExposure(const CameraModel& camera, const std::vector<Rolling
   const auto shadows = impl.sharedShadows(camera, moments, pass);
   std::vector<const std::vector<Pose>*> poses;
   for (const RollingMoment& moment : moments) poses.push_back(&moment.X_WL);
-  // Less than shadows' edges are wide; and the pictures are averaged.
+  // Less than the width of shadows' edges; and the pictures are averaged.
   constexpr double kHeld = 2.0;  // [texel]
   const auto held = heldForShadows(impl.draw_list.items(), poses, shadows, kHeld);
   for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -286,7 +286,7 @@ cv::Rect Renderer::reach(const View& view, const std::vector<Pose>& X_WL,
 }
 
 cv::Rect Renderer::reach(const RollingView& view, const LinkSelection& links) const {
-  cv::Rect all;  // OpenCV's union with an empty rectangle is the other one
+  cv::Rect all;  // in OpenCV the union with an empty rectangle is the other rectangle
   for (const RollingMoment& moment : view.moments) {
     all |= reach({view.camera, moment.X_WC}, moment.X_WL, links);
   }

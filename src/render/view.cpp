@@ -8,7 +8,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The moments before and after a row, and how far it is from one to the other, 0 .. 1.
+/// The moments before and after a row, and how far the row is from the one to the other, 0 .. 1.
 struct Between {
   const RollingMoment& from;
   const RollingMoment& to;

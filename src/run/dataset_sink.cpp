@@ -34,7 +34,7 @@ std::int64_t DatasetSink::cameraCount() const {
 
 std::vector<base::Warning> DatasetSink::add(const FinishedScene& finished) {
   if (finished.is_left_out) {
-    store_->leaveOutScene(finished.facts);
+    store_->recordSkippedScene(finished.facts);
     return {};
   }
   output::WriterHost::SceneResult written = setup_.writers->writeScene(finished.scene);
@@ -58,7 +58,7 @@ void DatasetSink::finish(RunEnd end) {
     store_->flush();
     return;
   }
-  // The files of the dataset as a whole are made of all shards together, when they are merged.
+  // The files that describe the whole dataset are made from all shards when they are merged.
   if (config.output.shard) {
     store_->complete();
     return;

@@ -12,32 +12,33 @@
 
 namespace synthetic_dataset::run {
 
-/// A dataset on disk, in every format whose writer the run has. Wants what its shard and
-/// `only_scenes` ask for, and is not there yet.
+/// A dataset on disk, in the formats of all the run's writers. Wants the scenes that its shard and
+/// `only_scenes` ask for and that do not exist yet.
 class DatasetSink : public SceneSink {
  public:
-  /// @param setup  has to outlive this
+  /// @param setup  must outlive this
   explicit DatasetSink(const RunSetup& setup) : setup_(setup), statistics_(setup.config.labels) {}
 
   [[nodiscard]] Requirements requirements() const override;
 
-  /// Opens the output, which may remove an earlier dataset or go on with it.
-  /// @throws ErrorList with all that prevents it; the disk is as it was then
+  /// Opens the output, which may remove or continue an earlier dataset.
+  /// @throws ErrorList with everything that prevents it; the disk is then unchanged
   void begin(const DatasetInfo& dataset) override;
 
   [[nodiscard]] bool wants(std::int64_t scene) const override;
   [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override;
 
-  /// Writes the files of the dataset as a whole and completes it, unless scenes are left to others.
+  /// Writes the files that describe the whole dataset and completes it, unless other runs still
+  /// have scenes to make.
   void finish(RunEnd end) override;
 
-  /// How many scenes the dataset, its shard or the choice of `only_scenes` has.
+  /// The number of scenes in the dataset, in its shard, or chosen by `only_scenes`.
   [[nodiscard]] std::int64_t plannedCount() const;
 
   /// Statistics of the scenes that this run has made.
   [[nodiscard]] const SceneStatistics& statistics() const { return statistics_; }
 
-  /// What is there; after `begin`.
+  /// The dataset's files; call after `begin`.
   [[nodiscard]] const output::DatasetStore& store() const { return *store_; }
 
  private:

@@ -16,7 +16,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Its first time [s].
+/// The motion's first time [s].
 std::string startOf(const MotionSetup& motion) {
   return fixed(toSeconds(motion.timeline.stamps.front()), 3);
 }
@@ -53,7 +53,7 @@ std::string splitsOf(const RunSetup& setup) {
   return text;
 }
 
-/// The part of the run's scenes that is made here.
+/// Describes which part of the run's scenes this process makes.
 std::string partOf(const RunSetup& setup, const DatasetSink& dataset) {
   const config::Config& config = setup.config;
   const std::string makes = " makes " + std::to_string(dataset.plannedCount());
@@ -78,7 +78,7 @@ void reportMotions(const RunSetup& setup, const DatasetSink& dataset, Reporter& 
 }
 
 /// Reports what a run will make, before its first scene.
-/// @param dataset  has begun
+/// @param dataset  must have begun
 /// @param missing_count  how many of its scenes are still to be made
 void reportPlan(const RunSetup& setup, const DatasetSink& dataset, std::int64_t missing_count,
                 Reporter& reporter) {
@@ -113,7 +113,7 @@ struct Generator::Impl {
     setup_seconds = watch.seconds();
   }
 
-  /// What the whole dataset holds, for the end of the run.
+  /// Adds the totals of the whole dataset at the end of the run.
   void summarizeDataset(RunSummary& summary) const {
     const output::DatasetStore& store = dataset.store();
     summary.dataset_scenes = store.counts().scenes;
@@ -129,7 +129,7 @@ struct Generator::Impl {
     for (const std::string& message : summary.missing_labels) reporter.warning(message);
   }
 
-  StageWatch watch;  ///< first: it measures what makes the others
+  StageWatch watch;  ///< first, since it times the construction of the others
   Reporter& reporter;
   RunSetup setup;
   DatasetSink dataset;

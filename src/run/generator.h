@@ -10,17 +10,18 @@
 
 namespace synthetic_dataset::run {
 
-/// Makes a dataset: sets a run up and gives its scenes to a DatasetSink.
+/// Makes a dataset: sets up a run and passes its scenes to a DatasetSink.
 ///
 /// Needs no ROS master. OpenGL belongs to the thread that makes the generator; use it from there.
 class Generator {
  public:
   /// Prepares everything up to the first scene.
-  /// @param parameters  as config/params.yaml documents them
-  /// @param reporter  has to outlive the generator
-  /// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
-  /// @throws ErrorList with every error that can be found before the first scene; the disk is as it
-  ///     was then
+  /// @param parameters  as documented in config/params.yaml
+  /// @param reporter  must outlive the generator
+  /// @param plugin_xml_files  where to look for writers; if empty, all that installed packages
+  ///     export
+  /// @throws ErrorList with every error that can be found before the first scene; the disk is then
+  ///     unchanged
   Generator(const Value& parameters, Reporter& reporter,
             const std::vector<std::string>& plugin_xml_files = {});
   ~Generator();
@@ -28,7 +29,7 @@ class Generator {
   Generator& operator=(const Generator&) = delete;
 
   /// Makes all scenes and finishes the datasets.
-  /// @throws Error when a scene cannot be made or written; what was finished stays valid
+  /// @throws Error if a scene cannot be made or written; finished scenes stay valid
   RunSummary run();
 
  private:

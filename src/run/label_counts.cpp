@@ -70,7 +70,7 @@ std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& co
 
 std::vector<std::string> unlabelledSplits(const std::vector<output::SplitCounts>& splits) {
   const auto hasLabels = [](const output::SplitCounts& each) { return each.labelled > 0; };
-  if (std::none_of(splits.begin(), splits.end(), hasLabels)) return {};  // said of the whole
+  if (std::none_of(splits.begin(), splits.end(), hasLabels)) return {};  // reported for all
   std::vector<std::string> messages;
   for (const output::SplitCounts& split : splits) {
     if (hasLabels(split)) continue;

@@ -10,24 +10,24 @@
 
 namespace synthetic_dataset::run {
 
-/// In how many of a dataset's scenes each object is in view, seen and labelled.
+/// Counts in how many of a dataset's scenes each object is in view, seen and labelled.
 [[nodiscard]] std::vector<RunSummary::Object> labelCounts(
     const output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
 
-/// What the user should know where an object, or all of them, has no label in any scene.
-/// @param scenes  of the dataset
+/// Messages for the user if one object, or every object, has no label in any scene.
+/// @param scenes  number of scenes in the dataset
 [[nodiscard]] std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& counts,
                                                      std::int64_t scenes);
 
-/// What the user should know where a part of the dataset has no label, though others have.
+/// Messages for the user if one split of the dataset has no label although others have some.
 [[nodiscard]] std::vector<std::string> unlabelledSplits(
     const std::vector<output::SplitCounts>& splits);
 
-/// All of these of what a dataset holds.
+/// All of the above messages for a dataset on disk.
 [[nodiscard]] std::vector<std::string> missingLabels(
     const output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
 
-/// Completes a dataset; its manifest then lists the labels that are missing.
+/// Completes a dataset; its manifest then lists the missing labels.
 void complete(output::DatasetStore& store, const std::vector<scene::ObjectOptions>& objects);
 
 }  // namespace synthetic_dataset::run

@@ -51,7 +51,7 @@ std::string named(const FoundShard& shard) {
   return "shard " + output::shardText(shard.place.shard) + " in '" + shard.place.folder + "'";
 }
 
-/// Whether a shard's writers write where those of another do, seen from their folders.
+/// Whether the writers of two shards write to the same places relative to their shards' folders.
 bool writeAlike(const FoundShard& one, const FoundShard& other) {
   const auto& a = one.content.writers;
   const auto& b = other.content.writers;
@@ -61,12 +61,12 @@ bool writeAlike(const FoundShard& one, const FoundShard& other) {
   });
 }
 
-/// Files that a shard lists outside of its folder and its writers'.
+/// Files that a shard lists outside its own and its writers' folders.
 std::vector<std::string> foreignFiles(const FoundShard& shard) {
-  return output::foreignFilesOf(shard.content, shard.place.folder, shard.content.writers);
+  return output::filesOutsideRun(shard.content, shard.place.folder, shard.content.writers);
 }
 
-/// What keeps shards from being one run.
+/// The reasons why shards do not form one run.
 std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
   std::vector<std::string> problems;
   const FoundShard& first = shards.front();
@@ -108,8 +108,9 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
   return problems;
 }
 
-/// The files of the dataset as a whole follow from the inputs, which must not have changed.
-/// @param now  gets what is known only where scenes are drawn
+/// Checks that the inputs have not changed, since the files that describe the whole dataset are
+/// made from them.
+/// @param now  receives what is only known when scenes are drawn
 void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
   const auto& software = shard.content.run.software;
   const auto opengl = software.find("opengl");
@@ -122,7 +123,7 @@ void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
   throw ErrorList(problems);
 }
 
-/// What is left of the shards of a dataset that is complete.
+/// Removes the shards' manifests once the dataset is complete.
 void removeShardManifests(const std::vector<FoundShard>& shards, const std::string& folder) {
   for (const FoundShard& each : shards) {
     if (each.place.folder == folder) ::unlink(each.manifest.c_str());
@@ -161,7 +162,7 @@ RunSummary mergeShards(const std::string& output_folder,
   summary.was_complete = store->wasComplete();
   summary.manifest = store->manifestPath();
   if (!summary.was_complete) {
-    for (const FoundShard& each : shards) store->takeIn(each.place);
+    for (const FoundShard& each : shards) store->mergeShard(each.place);
     const std::int64_t found = store->counts().scenes;
     if (found != setup.description.scene_count) {
       throw Error("the shards have " + std::to_string(found) + " scenes together; the run has " +

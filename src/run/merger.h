@@ -8,18 +8,17 @@
 
 namespace synthetic_dataset::run {
 
-/// Makes one dataset of the shards of a run, byte for byte that of a single run.
+/// Merges the shards of a run into one dataset, byte for byte the same as that of a single run.
 ///
-/// Scenes are taken over as they are; the files of the dataset as a whole are made anew, so the
-/// run's inputs have to be where they were. Killed, the same call goes on. Shards in the output
-/// folder itself become part of the dataset; those in other folders stay, and share their files'
-/// content with it where the file system allows.
-/// @param output_folder  where the dataset is to be; may hold shards
-/// @param shard_folders  more folders that hold shards
-/// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
-/// @return with what the user should know of labels that are missing, whether the dataset was
-/// complete
-///     before, and its manifest
+/// Scenes are taken over as they are; the files that describe the whole dataset are made anew, so
+/// the run's inputs must still be where they were. If the process is killed, the same call
+/// continues. Shards in the output folder itself become part of the dataset; those in other folders
+/// stay, and share their files' content with it if the file system allows.
+/// @param output_folder  where the dataset is to be; may contain shards
+/// @param shard_folders  more folders that contain shards
+/// @param plugin_xml_files  where to look for writers; if empty, all that installed packages export
+/// @return the summary, with messages about missing labels, whether the dataset was already
+///     complete, and its manifest
 /// @throws ErrorList: shards that are missing, not complete, or of another run; what cannot be
 ///     written. Then the shards are as they were.
 RunSummary mergeShards(const std::string& output_folder,

@@ -16,7 +16,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Adds what the comparison with recorded pictures needs.
+/// Adds what is needed for the comparison with recorded pictures.
 Requirements labelRequirements(Requirements requirements, const MotionSetup& motion) {
   if (motion.pictures) requirements.visible_masks = true;
   return requirements;
@@ -36,14 +36,14 @@ label::PixelLabelOptions labelOptions(const MotionSetup& motion) {
   return options;
 }
 
-/// All times of two ascending lists.
+/// Merges two ascending lists of times.
 std::vector<Duration> bothOf(const std::vector<Duration>& one, const std::vector<Duration>& other) {
   std::vector<Duration> both;
   std::set_union(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
   return both;
 }
 
-/// The labels of what a lidar's rays meet, by the world's links.
+/// The labels of what a lidar's rays hit, by the world's links.
 std::vector<lidar::LinkLabel> linkLabels(const MotionSetup& motion) {
   const std::vector<std::uint16_t> classes = labelOptions(motion).class_numbers;
   std::vector<lidar::LinkLabel> labels;
@@ -59,7 +59,7 @@ std::vector<lidar::LinkLabel> linkLabels(const MotionSetup& motion) {
   return labels;
 }
 
-/// Warns of objects in view that are not drawn, as they are farther away than the camera sees.
+/// Warns of objects in view that are not drawn because they are beyond the camera's far limit.
 void warnOfFar(const Scene& scene, std::vector<base::Warning>& warnings) {
   for (const SceneObject& object : scene.objects) {
     if (!object.X_CO || !object.inView(scene.camera)) continue;
@@ -87,7 +87,8 @@ MotionRun::MotionRun(MotionSetup& motion, const SplitPlan& splits, const Require
                      motion.driven_links),
       physics_findings_(*motion.world, motion.config.physics.contact_tolerance) {
   if (requirements.clouds) makeSweepTaker();
-  // A shutter may open before the recording begins: objects are where they are first seen then.
+  // A shutter may open before the recording begins; until then objects are where they are first
+  // seen.
   const Stamp first = motion_.timeline.stamps.front();
   (void)object_motion_.objectPoses(first);
   motion_start_ = first + offsetsAt(first).front();
@@ -99,7 +100,7 @@ void MotionRun::makeSweepTaker() {
                        motion_.config.rendering.glass_in_labels, motion_.config.seed);
 }
 
-/// From an instant, at which the world is looked at; ascending.
+/// The offsets from an instant at which the world is observed; ascending.
 std::vector<Duration> MotionRun::offsetsAt(Stamp stamp) const {
   return sweep_taker_ ? bothOf(offsets_, sweep_taker_->offsets(stamp)) : offsets_;
 }
@@ -107,7 +108,7 @@ std::vector<Duration> MotionRun::offsetsAt(Stamp stamp) const {
 bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter) {
   std::int64_t instant = motion_.first_instant;
   const std::int64_t end = work.endOfWork(instant + motion_.instantCount());
-  is_known_ = isKnownUntil(end);
+  follows_history_ = historyCovers(end);
   reporter.stage("letting physics settle");
   settle();
   reporter.stage("drawing the first scene");
@@ -121,8 +122,8 @@ bool MotionRun::run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& rep
   return true;
 }
 
-/// Whether the history has how the world stood until an instant, before which all is to be made.
-bool MotionRun::isKnownUntil(std::int64_t end) const {
+/// Whether the history covers the world's state up to `end`, before which all wanted instants lie.
+bool MotionRun::historyCovers(std::int64_t end) const {
   const bool may_be = motion_.history && !motion_.arranger->standsAlone() &&
                       !scene_maker_.needsOpticalFlow() && end > motion_.first_instant;
   if (!may_be) return false;
@@ -132,15 +133,15 @@ bool MotionRun::isKnownUntil(std::int64_t end) const {
 }
 
 void MotionRun::settle() {
-  if (motion_.arranger->standsAlone() || is_known_) return;  // it has done so
+  if (motion_.arranger->standsAlone() || follows_history_) return;  // already settled
   const Duration time = motion_.config.settling;
   if (time.count() == 0) return;
-  motion_.variation->choose(motion_.first_instant, *motion_.world);  // around the first variants
+  motion_.variation->choose(motion_.first_instant, *motion_.world);  // for the first variants
   moveWorld(motion_start_ - std::min(time, motion_start_ - Stamp(1)));
 }
 
 void MotionRun::moveWorld(Stamp stamp) {
-  const WorldHistory::Moment* known = is_known_ ? motion_.history->find(stamp) : nullptr;
+  const WorldHistory::Moment* known = follows_history_ ? motion_.history->find(stamp) : nullptr;
   if (known == nullptr) {
     advanceWorld(stamp);
   } else {
@@ -150,7 +151,7 @@ void MotionRun::moveWorld(Stamp stamp) {
 }
 
 void MotionRun::advanceWorld(Stamp stamp) {
-  // Physics goes forward alone; recorded sweeps may overlap a little (run/setup/recorded_scenes.h).
+  // Physics only moves forward; recorded sweeps may overlap a little (run/setup/recorded_scenes.h).
   if (!motion_.arranger->standsAlone() && !motion_.world->propPoses().empty()) {
     stamp = reached_ = std::max(reached_, stamp);
   }
@@ -171,14 +172,14 @@ void MotionRun::advanceWorld(Stamp stamp) {
   }
 }
 
-/// The scenes of one instant: one a camera. Where none of them is to be made, the world goes
-/// through this instant all the same: what props do and where links were last seen follows from it.
+/// Makes the scenes of one instant, one per camera. If none of them is wanted, the world still
+/// passes through this instant, as the props' motion and the links' last known poses depend on it.
 void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& work,
                             ScenePipeline& pipeline) {
   const bool stands_alone = motion_.arranger->standsAlone();
   const bool is_wanted = work.hasInstant(instant);
-  if ((stands_alone || is_known_) && !is_wanted) return;
-  // Scenes that wait for nothing are passed on one by one, as their images take much memory.
+  if ((stands_alone || follows_history_) && !is_wanted) return;
+  // Scenes that need not wait are passed on one by one, as their images take much memory.
   const bool waits_for_next = scene_maker_.needsOpticalFlow() && !stands_alone;
   const std::vector<Duration> offsets = offsetsAt(stamp);
   const bool waits = waits_for_next || offsets.size() > 1;
@@ -194,7 +195,7 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
       if (motion_.config.hasRecordedImages()) continue;  // read when the scene is finished
       each.image = picture_taker_.develop(scene.camera_index, scene.index);
     }
-    // Warnings go to the instant's first scene: those of all times since the instant before.
+    // The instant's first scene receives all warnings since the previous instant.
     for (const std::string& gap : object_motion_.takeGaps()) pending_warnings_.push_back({gap});
     if (!scenes.empty()) scenes.front().warnings = std::exchange(pending_warnings_, {});
     for (DrawnScene& each : scenes) {
@@ -234,16 +235,16 @@ void MotionRun::makeInstant(std::int64_t instant, Stamp stamp, const WorkPlan& w
   }
   if (waits) develop();
   pending_warnings_.clear();
-  (void)object_motion_.takeGaps();  // of an instant of which no scene is made
+  (void)object_motion_.takeGaps();  // of an instant without scenes
 }
 
-/// Places everything that is placed for each scene, at the time when the first shutter opens.
-/// @param first  of the times around the instant
+/// Places everything that is placed per scene, at the time when the first shutter opens.
+/// @param first  the earliest of the offsets from the instant
 void MotionRun::arrange(std::int64_t instant, Stamp stamp, Duration first, bool is_wanted) {
   motion_.variation->choose(instant, *motion_.world);
   motion_.arranger->placeObjects(instant);
   moveWorld(stamp + first);
-  // The scene before may wait for where things have gone.
+  // The previous scene may be waiting to learn where things have moved.
   if (!is_wanted && drawn_.empty()) return;
   motion_.arranger->placeDistractors(instant, stamp);
   for (base::Warning& each : motion_.arranger->placeCameras(instant, stamp)) {
@@ -279,7 +280,7 @@ MotionRun::DrawnScene MotionRun::look(std::size_t camera, std::int64_t instant, 
   return scene;
 }
 
-/// All that was drawn for a camera's scene.
+/// All randomization draws made for a camera's scene.
 std::vector<base::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t instant) const {
   std::vector<base::DrawFacts> draws = motion_.variation->draws(camera);
   if (const auto& jitter = motion_.timeline.jitter; !jitter.empty()) {
@@ -294,12 +295,12 @@ std::vector<base::DrawFacts> MotionRun::drawsOf(std::size_t camera, std::int64_t
   return draws;
 }
 
-/// Labels the scenes of rolling shutters now that it is known where all was at their rows' times.
-/// @param scenes  of this instant; none where it is not wanted
+/// Labels the scenes of rolling shutters, now that all poses at their rows' times are known.
+/// @param scenes  of this instant; empty if it is not wanted
 void MotionRun::lookInRows(std::vector<DrawnScene>& scenes) {
   for (std::size_t camera = 0; camera < motion_.cameras.size(); ++camera) {
     if (!row_recorder_.follows(camera)) continue;
-    label::TakenInRows taken = row_recorder_.take(camera);
+    label::CapturedRows taken = row_recorder_.take(camera);
     for (DrawnScene& before : drawn_) {
       if (scene_maker_.needsOpticalFlow() && before.seen.scene.camera_index == camera) {
         scene::SceneMaker::addOpticalFlowInRows(before.seen, taken.view);
@@ -309,9 +310,9 @@ void MotionRun::lookInRows(std::vector<DrawnScene>& scenes) {
   }
 }
 
-/// Adds where the pixels of the scenes that were drawn last have gone.
-/// @param now  the cameras' poses now; null after the last scene. Of rolling shutters, it is not
-///     known yet then
+/// Adds the optical flow to the scenes that were drawn last.
+/// @param now  the cameras' current poses, which leaves out rolling shutters, whose flow
+///     lookInRows() adds; null if no next scene is awaited
 void MotionRun::addOpticalFlow(scene::CameraPoses* now) {
   if (!scene_maker_.needsOpticalFlow()) return;
   for (DrawnScene& each : drawn_) {
@@ -320,12 +321,13 @@ void MotionRun::addOpticalFlow(scene::CameraPoses* now) {
   }
 }
 
-/// Passes the scenes on that were drawn last.
+/// Passes on the scenes that were drawn last.
 void MotionRun::passOn(ScenePipeline& pipeline) {
   for (DrawnScene& each : drawn_) {
     const CameraModel& camera = each.seen.scene.camera;
     const std::int64_t pixel_count = std::int64_t{camera.width()} * camera.height();
-    // While the labels of the scene before are found, as neither keeps all cores busy.
+    // Begins while the previous scene's labels are being determined, as neither keeps all cores
+    // busy.
     if (each.image) each.image = renderer_.makers().begun(std::move(each.image));
     pipeline.add(
         [this, drawn = std::make_shared<DrawnScene>(std::move(each))] { return finish(*drawn); },
@@ -339,7 +341,7 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   drawn.seen.X_GL.clear();
   drawn.seen.rows.reset();
   drawn.seen.pixels.surface = {};
-  // What labels and image are made of is not needed any more.
+  // The inputs of labels and image are released once used.
   const cv::Mat measured = drawn.measured ? std::exchange(drawn.measured, {})() : cv::Mat();
   const label::LabelFindings findings =
       std::exchange(drawn.seen.pixels.labels, {})(scene, measured);
@@ -354,7 +356,7 @@ FinishedScene MotionRun::finish(DrawnScene& drawn) const {
   }
   const bool is_recorded = motion_.config.hasRecordedImages();
   scene.image = is_recorded ? recorded.pixels : std::exchange(drawn.image, {})();
-  picture_taker_.measureDepth(scene);  // all labels are of the exact one
+  picture_taker_.measureDepth(scene);  // after the labels, which need the exact depth
   base::SceneFacts facts = factsOf(drawn, findings.agreement);
   FinishedScene finished{std::move(scene), std::move(facts)};
   if (motion_.pictures) {

@@ -23,11 +23,11 @@
 namespace synthetic_dataset::run {
 
 /// Makes the scenes of one of a run's motions, one instant after another. Only one may exist at a
-/// time, for each draws.
+/// time because each owns a renderer.
 class MotionRun {
  public:
-  /// @param motion, splits  have to outlive this
-  /// @param requirements  what has to be computed of each scene
+  /// @param motion, splits  must outlive this
+  /// @param requirements  what has to be computed for each scene
   MotionRun(MotionSetup& motion, const SplitPlan& splits, const Requirements& requirements);
 
   [[nodiscard]] bool isOf(const MotionSetup& motion) const { return &motion == &motion_; }
@@ -35,25 +35,25 @@ class MotionRun {
   /// The version of OpenGL.
   [[nodiscard]] std::string glVersion() const { return renderer_.glVersion(); }
 
-  /// Makes the scenes of the motion that are in the plan, in their order.
-  /// @param pipeline  gets the scenes, which are still to be finished: for that this has to live on
+  /// Makes those of the motion's scenes that are in the plan, in order.
+  /// @param pipeline  receives the scenes still to be finished; this object must outlive that step
   /// @param reporter  asked before each instant whether to stop
-  /// @return false when it was stopped
+  /// @return false if it was stopped
   [[nodiscard]] bool run(const WorkPlan& work, ScenePipeline& pipeline, Reporter& reporter);
 
  private:
-  /// A scene that was drawn, and may wait for what its optical flow needs.
+  /// A scene that has been drawn and may be waiting for what its optical flow needs.
   struct DrawnScene {
     scene::SeenScene seen;
     render::PendingPicture image;
-    scene::PendingRanges measured;  ///< what hides objects, where it is measured
-    lidar::PendingClouds clouds;    ///< where they are asked for
+    scene::PendingRanges measured;  ///< measured occluders, if there are any
+    lidar::PendingClouds clouds;    ///< if asked for
     std::vector<base::ContactFacts> contacts;
     std::vector<base::Warning> warnings;
     std::vector<base::DrawFacts> draws;
   };
 
-  [[nodiscard]] bool isKnownUntil(std::int64_t end) const;
+  [[nodiscard]] bool historyCovers(std::int64_t end) const;
   void settle();
   void moveWorld(Stamp stamp);
   void advanceWorld(Stamp stamp);
@@ -80,15 +80,15 @@ class MotionRun {
   scene::SceneMaker scene_maker_;
   scene::PictureTaker picture_taker_;
   scene::RowRecorder row_recorder_;
-  std::optional<lidar::SweepTaker> sweep_taker_;  ///< where clouds are asked for
-  std::vector<Duration> offsets_;                 ///< of pictures: see offsetsAt()
+  std::optional<lidar::SweepTaker> sweep_taker_;  ///< if clouds are asked for
+  std::vector<Duration> offsets_;                 ///< of the pictures: see offsetsAt()
   scene::ObjectMotion object_motion_;
   scene::PhysicsFindings physics_findings_;
   Stamp motion_start_{0};                        ///< when the first shutter opens
-  Stamp reached_{0};                             ///< by what physics moves
-  bool is_known_ = false;                        ///< where the world stands, by its history
+  Stamp reached_{0};                             ///< by physics
+  bool follows_history_ = false;                 ///< whether the history gives the world's state
   std::vector<base::Warning> pending_warnings_;  ///< since the last instant
-  std::vector<DrawnScene> drawn_;                ///< at the last instant; not yet passed on
+  std::vector<DrawnScene> drawn_;                ///< drawn at the last instant; not yet passed on
 };
 
 }  // namespace synthetic_dataset::run

@@ -10,16 +10,17 @@
 
 namespace synthetic_dataset::run {
 
-/// Opens the output, which may remove an earlier dataset or go on with it: the last thing before
-/// the first scene.
-/// @throws ErrorList with all that prevents it; the disk is as it was then
+/// Opens the output, which may remove or continue an earlier dataset: the last step before the
+/// first scene.
+/// @throws ErrorList with everything that prevents it; the disk is then unchanged
 [[nodiscard]] std::unique_ptr<output::DatasetStore> openOutput(const RunSetup& setup);
 
-/// Removes an earlier dataset that a run with these settings would overwrite, and leaves none.
-/// @throws ErrorList with all that is wrong with the settings or prevents it
+/// Removes an earlier dataset that a run with these settings would overwrite, without starting a
+/// new one.
+/// @throws ErrorList with everything that is wrong with the settings or prevents it
 void clearOutput(const Value& parameters, const std::vector<std::string>& plugin_xml_files = {});
 
-/// The same for a dataset that is made of shards.
+/// Opens the output for a dataset that is merged from shards.
 [[nodiscard]] std::unique_ptr<output::DatasetStore> openMerged(const RunSetup& setup);
 
 }  // namespace synthetic_dataset::run

@@ -14,7 +14,8 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Other inputs would make other scenes, whose differences would say nothing.
+/// Checks the inputs: other inputs would make other scenes, and comparing those would be
+/// meaningless.
 void requireInputs(const output::RunDescription& run) {
   const std::string cure = "; put the file there again that the dataset was made from";
   std::vector<std::string> problems;
@@ -41,7 +42,7 @@ class RedrawnScenes : public SceneSink {
     return setup_.writers->requirements();
   }
 
-  /// By now it is known which OpenGL draws.
+  /// By now the OpenGL version is known.
   void begin(const DatasetInfo& /*dataset*/) override {
     const output::RunDescription& recorded = dataset_.content().run;
     output::RunDescription current = setup_.description;

@@ -7,12 +7,11 @@
 
 namespace synthetic_dataset::run {
 
-/// Draws the scenes that a dataset has again, with the settings of its manifest and the inputs that
-/// it lists, and has each compared with the dataset's files. Writes nothing; one scene is held at a
-/// time.
-/// @param listener  hears how far it is, and which software has another version than then
-/// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
-/// @throws ErrorList: inputs that are missing or have changed, each with its name
+/// Draws a dataset's scenes again, with the settings and inputs listed in its manifest, and has
+/// each compared with the dataset's files. Writes nothing; holds one scene at a time.
+/// @param listener  is told the progress, and which software has changed its version since
+/// @param plugin_xml_files  where to look for writers; if empty, all that installed packages export
+/// @throws ErrorList: inputs that are missing or have changed, by name
 void redraw(const output::WrittenDataset& dataset, output::SceneVerifier& verifier,
             output::VerificationListener& listener,
             const std::vector<std::string>& plugin_xml_files = {});

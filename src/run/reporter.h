@@ -9,8 +9,8 @@
 
 namespace synthetic_dataset::run {
 
-/// Where a run reports what happens: rosconsole and a terminal in the node, nothing in tests.
-/// Called in the thread that runs alone.
+/// Where a run reports what happens: rosconsole and a terminal in the node, nothing in tests. Only
+/// called from the thread of the run.
 class Reporter {
  public:
   Reporter() = default;
@@ -21,16 +21,16 @@ class Reporter {
   virtual void info(const std::string& /*message*/) {}
   virtual void warning(const std::string& /*message*/) {}
 
-  /// A step of the start begins that may take long; the first scene ends the start.
+  /// A start-up step begins that may take long; start-up ends with the first scene.
   virtual void stage(const std::string& /*what*/) {}
 
-  /// Before the first scene, and after each.
+  /// Called before the first scene and after each one.
   virtual void progress(std::int64_t /*scenes_done*/, std::int64_t /*scenes*/) {}
 
-  /// Asked before each scene: the user wants the run to end (Ctrl-C).
+  /// Whether the user wants the run to end (Ctrl-C); asked before each scene.
   [[nodiscard]] virtual bool stopRequested() const { return false; }
 
-  /// Reports each kind of warning once; how often it came, the manifest knows.
+  /// Reports each kind of warning once; the manifest records how often it occurred.
   void warnOfEachKind(const std::vector<base::Warning>& warnings) {
     for (const base::Warning& each : warnings) {
       if (!reported_kinds_.insert(each.kind).second) continue;
@@ -42,7 +42,7 @@ class Reporter {
   std::set<std::string> reported_kinds_;
 };
 
-/// Keeps what a run warns of, each kind once.
+/// Collects a run's warnings, each kind once.
 struct WarningList : Reporter {
   void warning(const std::string& message) override { messages.push_back(message); }
 

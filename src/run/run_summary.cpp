@@ -8,7 +8,7 @@ namespace synthetic_dataset::run {
 
 namespace {
 
-/// The program `report` reads it, too.
+/// The program `report` parses this line, too.
 std::string timeLine(const StageTimes& times) {
   return "time: set-up " + fixed(times.setup, 1) + " s; side by side drawing " +
          fixed(times.drawing, 1) + " s, labels " + fixed(times.labels, 1) + " s, writing " +

@@ -47,10 +47,10 @@ RunEnd SceneLoop::makeScenes(ScenePipeline& pipeline) {
       motion_run_ = makeRun(motion);
     }
     const bool goes_on = motion_run_->run(work_, pipeline, reporter_);
-    pipeline.finish();  // scenes are finished with what the motion's run draws with
+    pipeline.finish();  // finishing scenes needs the motion run's renderer
     if (!goes_on) return RunEnd::kStopped;
   }
-  // What the sink finishes with may take long, too.
+  // The sink's `finish` may take long, too.
   return reporter_.stopRequested() ? RunEnd::kStopped : RunEnd::kAllMade;
 }
 

@@ -17,23 +17,23 @@ namespace synthetic_dataset::run {
 /// OpenGL belongs to the thread that makes the loop; use it from there.
 class SceneLoop {
  public:
-  /// Prepares drawing, and then lets the sink begin.
-  /// @param setup, sink, reporter  have to outlive this; the setup's description gets the version
-  ///     of OpenGL before the sink begins
-  /// @throws Error where drawing is not possible; what the sink throws
+  /// Prepares drawing and then calls the sink's `begin`.
+  /// @param setup, sink, reporter  must outlive this; the OpenGL version is added to the setup's
+  ///     description before the sink begins
+  /// @throws Error if drawing is not possible; whatever the sink throws
   SceneLoop(RunSetup& setup, SceneSink& sink, Reporter& reporter);
 
   /// How many scenes are to be made.
   [[nodiscard]] std::int64_t sceneCount() const { return work_.sceneCount(); }
 
   struct Result {
-    std::int64_t scenes = 0;  ///< that the sink has taken
+    std::int64_t scenes = 0;  ///< taken by the sink
     RunEnd end = RunEnd::kAllMade;
     StageTimes times;
   };
 
-  /// Makes all scenes, and lets the sink finish.
-  /// @throws Error when a scene cannot be made or the sink fails
+  /// Makes all scenes and then calls the sink's `finish`.
+  /// @throws Error if a scene cannot be made or the sink fails
   Result run();
 
  private:
@@ -44,7 +44,7 @@ class SceneLoop {
   RunSetup& setup_;
   SceneSink& sink_;
   Reporter& reporter_;
-  std::unique_ptr<MotionRun> motion_run_;  ///< of the motion whose scenes are made now, or first
+  std::unique_ptr<MotionRun> motion_run_;  ///< of the current motion, initially the first
   WorkPlan work_;
 };
 

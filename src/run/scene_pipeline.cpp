@@ -6,10 +6,10 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// How many scenes may wait while one is finished, and as many while one is added.
+/// How many scenes may wait while one is being finished, and likewise while one is being added.
 constexpr std::size_t kMostWaiting = 1;
 
-/// What was drawn for a scene takes some 40 bytes a pixel.
+/// The drawing data of a scene takes about 40 bytes per pixel.
 constexpr std::int64_t kLargeImage = 4'000'000;  // [px]
 
 }  // namespace
@@ -33,7 +33,7 @@ void ScenePipeline::add(PendingScene scene, std::int64_t pixel_count) {
     });
     if (pixel_count >= kLargeImage) finisher_.finish();
   } catch (...) {
-    adder_.finish();  // the scenes before are added, or one of them has failed first
+    adder_.finish();  // adds the previous scenes, or throws if one of them failed first
     throw;
   }
   waited_ += watch.seconds();

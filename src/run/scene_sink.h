@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::run {
 
-/// A scene with its image and all labels, and what is known of it besides.
+/// A scene with its image, all labels, and further facts about it.
 struct FinishedScene {
   Scene scene;
   base::SceneFacts facts;
@@ -21,12 +21,12 @@ struct FinishedScene {
 /// How a run ends.
 enum class RunEnd {
   kAllMade,  ///< every scene that the sink wanted was added
-  kStopped,  ///< the user stopped it before
+  kStopped,  ///< the user stopped the run before that
 };
 
-/// Gets the finished scenes of a run: a dataset, or whatever else shows or keeps scenes.
+/// Receives the finished scenes of a run: a dataset, or anything else that shows or keeps scenes.
 ///
-/// Its life: `begin`, then `add` for each scene, then `finish`. `add` is called in a background
+/// Life cycle: `begin`, then `add` for each scene, then `finish`. `add` is called in a background
 /// thread, by one caller at a time, in the order of the scenes, while the next ones are drawn; all
 /// other methods are called in the thread that runs, none of them while `add` runs. So a sink needs
 /// no locks. When a method throws, the run ends with its error, and nothing more is called.
@@ -37,18 +37,18 @@ class SceneSink {
   SceneSink& operator=(const SceneSink&) = delete;
   virtual ~SceneSink() = default;
 
-  /// What has to be computed of each scene; nothing else is. The same at every call.
+  /// What has to be computed for each scene; nothing else is computed. The same at every call.
   [[nodiscard]] virtual Requirements requirements() const = 0;
 
-  /// Called once all else is ready for the first scene.
+  /// Called once everything else is ready for the first scene.
   virtual void begin(const DatasetInfo& dataset) = 0;
 
   /// Whether a scene is to be made. Asked after `begin`, for every scene of the run.
   /// @param scene  its Scene::index
   [[nodiscard]] virtual bool wants(std::int64_t scene) const = 0;
 
-  /// Takes a scene that it wants. To keep it, copy it: the copies share their pixels.
-  /// @return what the user should know of the scene beside the warnings in its facts
+  /// Takes a wanted scene. To keep it, copy it: copies share their pixels.
+  /// @return warnings about the scene in addition to those in its facts
   [[nodiscard]] virtual std::vector<base::Warning> add(const FinishedScene& finished) = 0;
 
   /// Called after the last scene, unless the run failed.

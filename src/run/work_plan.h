@@ -21,7 +21,7 @@ class WorkPlan {
     return wanted_[static_cast<std::size_t>(scene)];
   }
 
-  /// Just behind the last instant before `end` of which a scene is to be made; 0 without one.
+  /// One past the last instant before `end` at which a scene is to be made; 0 if there is none.
   [[nodiscard]] std::int64_t endOfWork(std::int64_t end) const;
 
   /// How many scenes are to be made.

@@ -9,17 +9,17 @@
 
 namespace synthetic_dataset::run {
 
-/// How a motion's world stood at each of its times. What moves of itself depends on all that was
-/// before, so that a scene late in a recording waits until physics has come there; with the history
-/// of a run that moved alike, the world is shown at any time at once.
+/// The state of a motion's world at each of its times. What moves by physics depends on everything
+/// before, so a scene late in a recording has to wait until physics has reached it; with the
+/// history of a run that moved identically, the world can be shown at any time immediately.
 class WorldHistory {
  public:
   struct Moment {
-    std::vector<Pose> X_WM;                              ///< of the props
-    std::vector<std::optional<world::ObjectPose>> X_WO;  ///< of all objects' variants
+    std::vector<Pose> X_WM;                              ///< for each prop
+    std::vector<std::optional<world::ObjectPose>> X_WO;  ///< for each variant of each object
   };
 
-  /// Whether it has come as far as `time`.
+  /// Whether the history extends to `time`.
   [[nodiscard]] bool reaches(Stamp time) const {
     return !moments_.empty() && moments_.rbegin()->first >= time;
   }

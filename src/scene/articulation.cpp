@@ -51,8 +51,8 @@ Frames framesByLink(const world::Model& model, const ObjectOptions& object,
   return frames;
 }
 
-/// The link that stands at the object's own frame: the one that follows it, else the one that it is
-/// named by. A frame that names no link carries the model's origin.
+/// The link at the object's own frame: the one that follows it, or else the one that it is named
+/// after. A frame that is not named after a link carries the model's origin.
 std::optional<std::size_t> ownLink(const world::Model& model, const ObjectOptions& object,
                                    const motion::FrameSource& source, const Frames& frames) {
   const std::optional<motion::FrameId> object_frame = source.find(object.frame);
@@ -64,7 +64,8 @@ std::optional<std::size_t> ownLink(const world::Model& model, const ObjectOption
   return linkNamedBy(object.frame, model, without_frame);
 }
 
-/// Says so where the link of the object's frame, moved to the origin, was not there before.
+/// Notes it if the link of the object's frame was not at the model's origin before it was moved
+/// there.
 void noteMovedOrigin(const ObjectOptions& object, const std::string& link, const Pose& X_ML,
                      base::Diagnostics& diagnostics) {
   constexpr double kSame = 1e-6;  // [m], [1]
@@ -81,7 +82,7 @@ bool hangsOnDriven(const world::Model& model, const Frames& frames, std::size_t 
   return false;
 }
 
-/// Moves the model in its frame so that a link lies at the origin.
+/// Moves the model in its own frame so that a link lies at the origin.
 void moveToOrigin(world::Model& model, std::size_t link) {
   const Pose X_LM = model.links[link].X_ML.inverse();
   for (world::Link& each : model.links) each.X_ML = X_LM * each.X_ML;
@@ -114,7 +115,8 @@ Articulation articulate(world::Model model, const ObjectOptions& object,
   }
   if (others > 0) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      // The link of the object's own frame is part of its body, unless another one would carry it.
+      // The link of the object's own frame is part of its body, unless another driven link would
+      // carry it.
       const auto frame = i == base ? source.find(object.frame) : frames[i];
       if (!frame || (i == base && !hangsOnDriven(model, frames, i))) continue;
       result.driven.push_back({i, *frame});

@@ -21,11 +21,11 @@ using DrivenLinks = std::vector<DrivenLink>;
 
 /// How an object follows frames.
 struct Articulation {
-  /// The object's model. Where the object's frame is that of one of its links, or is named by it,
-  /// the model is moved in its frame so that this link lies at the origin.
+  /// The object's model. If one of its links follows the object's frame, or the frame is named
+  /// after it, the model is moved in its own frame so that this link lies at the origin.
   world::Model model;
   DrivenLinks driven;             ///< by index; empty: the model moves as one piece
-  base::Diagnostics diagnostics;  ///< what the user may like to know
+  base::Diagnostics diagnostics;  ///< what the user may want to know
 };
 
 /// Decides which links of an object's model follow frames of their own.

@@ -20,7 +20,7 @@ namespace {
 
 using motion::PictureHead;
 
-/// The picture whose stamp is nearest to a time of its clock.
+/// The picture whose stamp is nearest to a time in its own clock.
 std::size_t nearestTo(Stamp stamp, const std::vector<PictureHead>& heads) {
   const auto after =
       std::lower_bound(heads.begin(), heads.end(), stamp,
@@ -33,8 +33,8 @@ std::size_t nearestTo(Stamp stamp, const std::vector<PictureHead>& heads) {
 
 Duration distanceOf(Stamp a, Stamp b) { return a < b ? b - a : a - b; }
 
-/// Old publishers wrote red into the channel of blue: "rgb8; jpeg compressed rgb8"
-/// (compressed_image_transport's subscriber).
+/// Old publishers swapped red and blue: "rgb8; jpeg compressed rgb8" (see
+/// compressed_image_transport's subscriber).
 bool hasSwappedChannels(const std::string& format) {
   return format.find("compressed rgb") != std::string::npos;
 }

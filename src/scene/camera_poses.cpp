@@ -8,21 +8,21 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// X_GF at a time around `instant`; where it is not known then, that of the instant.
+/// X_GF at `offset` from `instant`; if it is not known then, that of the instant.
 Pose poseAround(motion::FrameId frame, const motion::FrameSource& frames, Stamp instant,
                 Duration offset) {
   const auto X_GF_then = frames.pose(frame, instant + offset);
   return X_GF_then ? *X_GF_then : frames.knownPose(frame, instant);
 }
 
-/// The middle of an object's model as it is now.
+/// The centre of the object's active variant.
 Eigen::Vector3d middleOf(const FollowedObject& object, const world::World& world,
                          const Pose& X_GO) {
   if (object.centres_O.empty()) return X_GO.translation();
   return X_GO * object.centres_O[world.variant(object.object)];
 }
 
-/// X_GF as the sources have it.
+/// X_GF according to the sources, without the correction X_FD.
 Pose sourcePose(const CameraRig& camera, const world::World& world,
                 const motion::FrameSource& frames, Stamp instant, Duration offset) {
   if (camera.X_GC) return *camera.X_GC;

@@ -16,14 +16,14 @@ struct CameraPose {
   Pose X_GC;  ///< of the picture's optical frame
 };
 
-/// Where a camera is at a time around `instant`, at which the world stands. A frame whose pose is
-/// not known then has that of the instant.
+/// The pose of a camera at `offset` from `instant`, while the world stands at that time. If a
+/// frame's pose is not known then, its pose at the instant is used.
 [[nodiscard]] CameraPose cameraPose(const CameraRig& camera, const world::World& world,
                                     const motion::FrameSource& frames, Stamp instant,
                                     Duration offset = Duration{0});
 
-/// Where all cameras are at one time, while the world stands there. Each is found when it is first
-/// asked for.
+/// The poses of all cameras at one time, while the world stands at it. Each is computed when it is
+/// first asked for.
 class CameraPoses {
  public:
   /// All references have to outlive this.

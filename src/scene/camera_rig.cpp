@@ -20,7 +20,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-constexpr const char* kKind = "camera";  // of sensors, in messages
+constexpr const char* kKind = "camera";  // kind of sensor, in messages
 
 CalibrationUse useOf(const CameraOptions& config) {
   return {config.rectified, config.near.value(), config.far.value()};
@@ -30,13 +30,13 @@ CalibratedCamera readInfoFile(const CameraOptions& config) {
   try {
     return readCalibration(*config.info_file, config.info_choice, useOf(config));
   } catch (const ErrorList&) {
-    throw;  // of what is in the file
+    throw;  // about the file's content
   } catch (const Error& error) {
     throw Error(config.group + "/info_file: " + error.what());
   }
 }
 
-/// Reads what the recording says of a camera: its intrinsics and its frame.
+/// Reads a camera's intrinsics and frame from the recording.
 CalibratedCamera readRecordedInfo(const CameraOptions& config,
                                   const std::vector<std::string>& bag_files) {
   const std::string parameter = config.group + "/info_topic: ";
@@ -57,7 +57,7 @@ CalibratedCamera readRecordedInfo(const CameraOptions& config,
   }
 }
 
-/// The camera of a sensor, with the range of sight that is set, if any.
+/// The camera of a sensor, with the near and far distances that are set, if any.
 CameraModel modelOf(const world::CameraSensor& sensor, const CameraOptions& config) {
   const CameraModel& camera = sensor.camera;
   const double near = config.near.value_or(camera.near());
@@ -71,9 +71,8 @@ CameraModel modelOf(const world::CameraSensor& sensor, const CameraOptions& conf
               " m, so that nothing would be left");
 }
 
-/// The link of an object's model that a frame's name means: one that hangs on the object by joints,
-/// where the recording has no such frame.
-/// @throws Error where several objects have one
+/// The link of an object's model that a frame's name refers to, if the recording has no such frame.
+/// @throws Error if several links match
 std::optional<std::size_t> linkOfFrame(const std::string& frame,
                                        const std::vector<world::LinkInstance>& links,
                                        const std::vector<ObjectOptions>& objects) {
@@ -85,7 +84,7 @@ std::optional<std::size_t> linkOfFrame(const std::string& frame,
     if (object.takes_part && isFrameOfLink(frame, link.link->name, object)) found.push_back(i);
   }
   if (found.empty()) return std::nullopt;
-  world::refuseVarying(frame, kKind, links[found.front()], links);
+  world::requireFixedVariant(frame, kKind, links[found.front()], links);
   if (found.size() == 1) return found.front();
   std::vector<std::string> names;
   for (const std::size_t i : found) names.push_back(links[i].model + "/" + links[i].link->name);
@@ -95,7 +94,7 @@ std::optional<std::size_t> linkOfFrame(const std::string& frame,
 
 constexpr std::size_t kMostNamed = 8;  // objects, in messages
 
-/// Mounts a camera on an object, or on a frame, whatever moves there without a label.
+/// Mounts a camera on an object, or on a frame of something that has no labels.
 void mount(const CameraOptions& config, const std::vector<ObjectOptions>& objects,
            const motion::FrameSource& frames, CameraRig& rig) {
   std::vector<std::string> names;
@@ -119,7 +118,7 @@ void mount(const CameraOptions& config, const std::vector<ObjectOptions>& object
               ") or a frame of " + frames.title() + didYouMean(*config.on, near));
 }
 
-/// What it follows with its eye.
+/// The object that the camera keeps looking at.
 FollowedObject followedBy(const CameraOptions& config, const std::vector<ObjectOptions>& objects,
                           const motion::FrameSource& frames) {
   std::vector<std::string> names;
@@ -135,7 +134,7 @@ FollowedObject followedBy(const CameraOptions& config, const std::vector<ObjectO
               ") or a point [x, y, z]" + didYouMean(config.aim->look_at, names));
 }
 
-/// The pose of a camera that stands still in the frame of its position.
+/// The pose of a camera that does not move relative to the frame of its position.
 Pose standingPose(const CameraAim& aim) {
   if (aim.look_at_point_G) return randomize::lookingAt(aim.position_G, *aim.look_at_point_G, 0.0);
   const Eigen::Vector3d rpy = aim.rpy.value_or(Eigen::Vector3d::Zero());
@@ -145,7 +144,7 @@ Pose standingPose(const CameraAim& aim) {
   return makePose(aim.position_G, R_GB) * world::opticalInBody();
 }
 
-/// Where it is given in numbers: in the global frame, or in that of what carries it.
+/// The pose given in numbers, if any: in the global frame, or in the carrier's.
 std::optional<Pose> givenPose(const CameraOptions& config) {
   if (!config.aim) return config.X_GC;
   if (config.aim->look_at.empty()) return standingPose(*config.aim);
@@ -191,7 +190,7 @@ void findPose(const CameraOptions& config, const world::CameraSensor* sensor,
               frames.lacks(rig.frame));
 }
 
-/// The noise that is not set is that of the world's sensor.
+/// The settings' effects; noise that is not set is taken from the world's sensor.
 render::SensorEffects effectsOf(const CameraOptions& config, const world::CameraSensor* sensor) {
   const world::PixelNoise own = sensor != nullptr ? sensor->noise : world::PixelNoise();
   render::SensorEffects effects = config.effects;
@@ -209,7 +208,7 @@ CalibratedCamera calibrationOf(const CameraOptions& config,
   throw Error(config.group + ": no intrinsics");
 }
 
-/// The frame that is set; else that of the calibration, if TF has it and lacks the default.
+/// The frame that is set, or else that of the calibration, if TF has it and lacks the default one.
 std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
                     const motion::FrameSource& frames) {
   if (!config.frame) return camera.frame;
@@ -218,8 +217,8 @@ std::string frameOf(const CameraOptions& config, const CalibratedCamera& camera,
   return takes_own ? camera.frame : *config.frame;
 }
 
-/// The picture's frame where it is not that of the calibrated camera. One that is put somewhere
-/// for each scene is put there itself.
+/// Sets the picture's frame if it differs from the calibrated camera's. If the camera is sampled,
+/// the picture's frame itself is what is placed in each scene.
 void placeInFrame(const CameraOptions& config, const CalibratedCamera& camera, CameraRig& rig) {
   rig.is_rectified = config.rectified;
   rig.stereo_frame = config.stereo_frame;
@@ -256,14 +255,14 @@ CameraRig makeCameraRig(const CameraOptions& config, const std::vector<std::stri
 }
 
 void checkInfoFile(const CameraOptions& config) {
-  CameraOptions with_range = config;  // the range of sight does not matter here
+  CameraOptions with_range = config;  // near and far do not matter for the check
   with_range.near = config.near.value_or(0.1);
   with_range.far = config.far.value_or(1000.0);
   if (config.info_file) (void)readInfoFile(with_range);
 }
 
 double seenShare(const CameraModel& camera) {
-  constexpr int kSteps = 24;  // a side of a grid of pixels
+  constexpr int kSteps = 24;  // per side of a grid of pixels
   int seen = 0;
   for (int i = 0; i < kSteps; ++i) {
     for (int j = 0; j < kSteps; ++j) {

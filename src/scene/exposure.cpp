@@ -6,7 +6,7 @@ namespace synthetic_dataset::scene {
 
 void Exposure::add(render::PendingPicture picture, double weight) {
   if (before_last_) before_last_();
-  // What is captured is freed as it is used, as the next one holds it.
+  // Captures are released as soon as they are used, because the next picture holds this one.
   render::PendingPicture added = makers_->begun(
       [light = light_, picture = std::move(picture), weight, before = last_]() mutable {
         const cv::Mat pixels = std::exchange(picture, {})();

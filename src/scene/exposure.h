@@ -8,26 +8,27 @@
 
 namespace synthetic_dataset::scene {
 
-/// What falls on a sensor while its shutter is open. Two pictures are finished while the next is
-/// drawn, as parts of finishing one keep a single core busy.
+/// The light that falls on a sensor while its shutter is open. Two pictures are finished while the
+/// next one is drawn, because parts of finishing a picture use only a single core.
 class Exposure {
  public:
   /// @param makers  have to outlive this
   explicit Exposure(render::PictureMakers& makers) : makers_(&makers) {}
 
-  /// Finishes a picture in the background, and adds it after the one before. Waits for the one
-  /// before that.
-  /// @param weight  all of an exposure should add up to 1
+  /// Finishes a picture in the background, and adds it after the previous one. Waits for the one
+  /// before the previous.
+  /// @param weight  the weights of an exposure should add up to 1
   void add(render::PendingPicture picture, double weight);
 
-  /// The mean of all, to be made in any thread; what is added from now on is another exposure.
+  /// The weighted mean of all pictures; may be evaluated in any thread. Pictures added from now on
+  /// belong to the next exposure.
   [[nodiscard]] render::PendingPicture develop();
 
  private:
   std::shared_ptr<render::LinearAccumulator> light_ = std::make_shared<render::LinearAccumulator>();
   render::PictureMakers* makers_;
 
-  // Called, they wait until a picture has been added; they return none.
+  // Calling these waits until a picture has been added; they return an empty image.
   render::PendingPicture before_last_;
   render::PendingPicture last_;
 };

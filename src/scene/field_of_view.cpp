@@ -10,10 +10,10 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// Next to pi, nearly all of a plane's image lies in its middle.
+/// Close to pi, a planar image shows nearly everything in its very middle.
 constexpr double kWidestPlane = 3.1;  // [rad]
 
-/// [rad]
+/// The widest field of view that the camera can have [rad].
 double widestOf(const CameraModel& camera) {
   return 2.0 * camera.angleAt(std::tan(0.5 * kWidestPlane));
 }

@@ -15,19 +15,19 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-using LinkSet = std::vector<std::size_t>;  // indices among the world's links
+using LinkSet = std::vector<std::size_t>;  // indices in the world's links
 
-/// What becomes of each link, and of each pattern.
+/// The result of matching links against patterns.
 struct Grouping {
   std::vector<std::uint16_t> numbers;                       ///< by link
   std::vector<std::pair<std::string, std::string>> unused;  ///< group and pattern
 
-  /// A link's name with the groups that want it: "house::roof", "floor", "wall".
+  /// A link's name with the two groups that match it: "house::roof", "floor", "wall".
   std::vector<std::array<std::string, 3>> contested;
 };
 
-/// @param fits  whether a link is meant by a pattern
-/// @param nameOf  a link's, for messages
+/// @param fits  whether a pattern matches a link
+/// @param nameOf  name of a link, for messages
 void group(const LinkGroups& groups, const LinkSet& links,
            const std::function<bool(std::size_t link, const std::string& pattern)>& fits,
            const std::function<std::string(std::size_t link)>& nameOf, Grouping& grouping) {
@@ -59,7 +59,7 @@ std::vector<std::uint16_t> worldClassNumbers(const WorldClasses& classes,
   Grouping grouping;
   grouping.numbers.resize(links.size());
   LinkSet of_world;
-  LinkSet of_objects;  // that the world has itself; they count as meant, and are no class of it
+  LinkSet of_objects;  // in the world itself: patterns may match these, but they get no class
   std::set<std::string> models;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool is_object = links[i].object >= 0;

@@ -9,20 +9,18 @@
 
 namespace synthetic_dataset::scene {
 
-/// The number of each link's class, from 1 in the order of the classes; 0: it has none.
+/// The class number of each link, from 1 in the order of the classes; 0 for links without a class.
 /// @param links  of the world
-/// @param diagnostics  takes an error where several classes want a link, and warnings of patterns
-/// that no
-///     link fits
+/// @param diagnostics  receives an error if several classes match a link, and warnings of patterns
+///     that match no link
 [[nodiscard]] std::vector<std::uint16_t> worldClassNumbers(
     const WorldClasses& classes, const std::vector<world::LinkInstance>& links,
     base::Diagnostics& diagnostics);
 
-/// The number of the part of its object that each link belongs to, from 1 in the order of
-/// ObjectOptions::parts; 0: it is of none.
-/// @param diagnostics  takes an error where several parts want a link, and one for each pattern
-/// that no
-///     link of its object fits
+/// For each link, the number of the part of its object that it belongs to, from 1 in the order of
+/// ObjectOptions::parts; 0 if it belongs to none.
+/// @param diagnostics  receives an error if several parts match a link, and one for each pattern
+///     that matches no link of its object
 [[nodiscard]] std::vector<std::uint16_t> partNumbers(const std::vector<ObjectOptions>& objects,
                                                      const std::vector<world::LinkInstance>& links,
                                                      base::Diagnostics& diagnostics);

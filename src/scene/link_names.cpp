@@ -26,7 +26,7 @@ bool isCalled(const std::string& frame, const std::string& name) {
                            frame.compare(frame.size() - below.size(), below.size(), below) == 0);
 }
 
-/// The frame that a link gets: that which the settings name, else by the pattern.
+/// The frame of a link: the one that the settings name, or else the pattern's.
 std::string frameOf(const world::Model& model, const world::Link& link,
                     const ObjectOptions& object) {
   const auto named = object.link_frames.by_link.find(link.name);
@@ -66,7 +66,7 @@ std::optional<std::size_t> linkNamedBy(const std::string& frame, const world::Mo
                                        const std::vector<std::size_t>& links) {
   const std::string name = motion::withoutLeadingSlashes(frame);
   std::optional<std::size_t> named;
-  std::size_t longest = 0;  // "arm/wrist" says more than "wrist"
+  std::size_t longest = 0;  // "arm/wrist" is more specific than "wrist"
   for (const std::size_t link : links) {
     for (const std::string& each : frameNames(model, model.links[link])) {
       if (each.size() <= longest || !isCalled(name, each)) continue;

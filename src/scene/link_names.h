@@ -11,27 +11,27 @@
 
 namespace synthetic_dataset::scene {
 
-/// A link's names as frames may have them: "arm::wrist" is "arm/wrist", or "wrist" where it is the
-/// model's only one.
+/// The names that a link may have in frames: "arm::wrist" is "arm/wrist", or also "wrist" if the
+/// model has only one.
 [[nodiscard]] std::vector<std::string> frameNames(const world::Model& model,
                                                   const world::Link& link);
 
-/// The frame of a link of that name by a pattern: "{object}/{link}".
+/// The name of a link's frame by a pattern such as "{object}/{link}".
 [[nodiscard]] std::string frameByPattern(const std::string& pattern, const std::string& object,
                                          const std::string& link);
 
-/// Whether a frame's name means this link of an object's model: by its `link_frames`, below the
-/// same prefix as the object's own frame, or by the link's name alone.
+/// Whether a frame's name refers to this link of an object's model: by the object's `link_frames`,
+/// by the link's name after the prefix of the object's own frame, or by the link's name alone.
 [[nodiscard]] bool isFrameOfLink(const std::string& frame, const std::string& link,
                                  const ObjectOptions& object);
 
-/// The one of these links after which a frame is named, alone or below a prefix: "base_link",
+/// Which of these links a frame is named after, with or without a prefix: "base_link",
 /// "rover_1/base_link".
 [[nodiscard]] std::optional<std::size_t> linkNamedBy(const std::string& frame,
                                                      const world::Model& model,
                                                      const std::vector<std::size_t>& links);
 
-/// How an object's links move with its joints, if any of these is known to.
+/// How an object's links move with its joints; nothing if no joint is known to move.
 [[nodiscard]] std::optional<motion::JointedRobot> jointedRobot(const world::Model& model,
                                                                const ObjectOptions& object);
 

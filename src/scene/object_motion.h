@@ -12,9 +12,9 @@
 
 namespace synthetic_dataset::scene {
 
-/// Where objects and their links are, between scenes too: where their frames are, or, over a gap,
-/// where they were, unless they are absent then (WhenUnknown); a link whose frame is not known
-/// keeps its last pose relative to the link that it hangs on, at first that of the model at rest.
+/// The poses of objects and their links at any time: those of their frames, or, during a gap, the
+/// last known ones, unless objects are absent then (WhenUnknown). A link whose frame is not known
+/// keeps its last pose relative to its parent link, initially that of the model at rest.
 class ObjectMotion {
  public:
   /// @param frames  has to outlive this
@@ -24,27 +24,27 @@ class ObjectMotion {
                const std::vector<world::LinkInstance>& links,
                const std::vector<std::vector<DrivenLinks>>& driven);
 
-  /// @param moving_object  an object, or one of its variants: its index among all of them
-  /// @return nothing while its frame has not been known yet, or while it is absent
+  /// @param moving_object  an object's variant: its index among the variants of all objects
+  /// @return nothing if its frame has not been known yet, or if it is absent
   [[nodiscard]] std::optional<world::ObjectPose> at(int moving_object, Stamp time);
 
   /// X_GO of all objects; nothing for those whose frames have not been known yet.
   [[nodiscard]] std::vector<std::optional<Pose>> objectPoses(Stamp time);
 
-  /// The links whose frames were found unknown at some time since the last call.
+  /// Descriptions of the links whose frames were unknown at some time since the last call.
   [[nodiscard]] std::set<std::string> takeGaps();
 
  private:
   struct LinkState {
     std::string name;
     std::optional<std::size_t> parent;
-    std::optional<motion::FrameId> frame;  ///< where it is driven
-    Pose X_PL = Pose::Identity();          ///< last known, in the parent's frame, or the object's
+    std::optional<motion::FrameId> frame;  ///< if it is driven
+    Pose X_PL = Pose::Identity();          ///< last known, in the parent's frame or the object's
   };
   struct Object {
     std::string name;
     motion::FrameId frame;
-    bool may_be_absent;             ///< where it is not known, rather than where it was
+    bool may_be_absent;             ///< when its pose is unknown; otherwise it stays where it was
     std::optional<Pose> X_GO = {};  ///< last known
   };
   struct Variant {
@@ -62,8 +62,8 @@ class ObjectMotion {
 
   const motion::FrameSource& frames_;
   std::vector<Object> objects_;
-  std::vector<Variant> variants_;  ///< of all objects in turn
-  std::set<std::string> gaps_;     ///< variants have the same ones
+  std::vector<Variant> variants_;  ///< of all objects, object by object
+  std::set<std::string> gaps_;     ///< a set, as variants have the same ones
 };
 
 }  // namespace synthetic_dataset::scene

@@ -16,7 +16,7 @@ void needVisuals(const ObjectOptions& object, const std::string& parameter, cons
                    "' has none; add a visual to the model, or list points here");
 }
 
-/// What the parameters say, in a shape and a size.
+/// The shape that the parameters give, in a variant's shape and size.
 label::ObjectShape givenShape(const ObjectOptions& config, int instance, const PointChange& change,
                               double scale) {
   label::ObjectShape shape{config.name,        config.class_text,       config.class_name,
@@ -28,7 +28,8 @@ label::ObjectShape givenShape(const ObjectOptions& config, int instance, const P
   return shape;
 }
 
-/// Clears the shape of an absent object. It has no label, but as many keypoints as elsewhere.
+/// Clears the shape of an object that does not take part. It has no label, but as many keypoints as
+/// in other motions.
 void leaveOutShape(label::ObjectShape& shape, const ObjectOptions& config) {
   shape.bounding_shape_O = {Eigen::Vector3d::Zero()};
   const std::size_t count = config.farthest_points > 0
@@ -72,7 +73,7 @@ ObjectShapes::ObjectShapes(const std::vector<ObjectOptions>& objects,
   errors.throwIfAny();
 }
 
-/// @throws ErrorList where the parameters need what the model does not have
+/// @throws ErrorList if the parameters need something that the model lacks
 ObjectShapes::Variant ObjectShapes::measure(Variant variant, const ObjectOptions& config) const {
   base::Diagnostics errors;
   const std::vector<const world::Link*> own = label::linksAt(variant.links, world_.links());

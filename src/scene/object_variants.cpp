@@ -8,8 +8,7 @@
 #include "world/files/model_folders.h"
 
 namespace synthetic_dataset::scene {
-/// The values of a choice; else the middles of parts of the distribution that are as likely as each
-/// other.
+/// The values of a choice; otherwise the medians of equally likely parts of the distribution.
 std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const base::Distribution& scale,
                                                           int count) {
   std::vector<Size> sizes;
@@ -17,7 +16,7 @@ std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const base::Distributi
     sizes.push_back({value.front(), value.front()});
   }
   if (sizes.empty()) {
-    // The same sizes for all seeds: datasets of several runs have the same ones.
+    // A fixed seed, so that datasets of several runs have the same sizes.
     base::RandomSource source(0);
     constexpr std::size_t kDrawsOfEach = 1001;  // odd: there is a middle one
     std::vector<double> drawn(kDrawsOfEach * static_cast<std::size_t>(count));
@@ -43,7 +42,7 @@ std::vector<ObjectVariants::Size> ObjectVariants::sizesOf(const base::Distributi
 ObjectVariants::ObjectVariants(const ObjectOptions& object,
                                const randomize::Randomization& randomization)
     : entry_("objects/" + object.name) {
-  // Nothing of what is not there is made; distractors have models and sizes of their own.
+  // Objects that do not take part have no variants; distractors have models and sizes of their own.
   if (object.takes_part && !object.is_distractor && !object.stands) {
     config_ = randomization.ofObject(object.name);
   }
@@ -99,7 +98,7 @@ std::size_t ObjectVariants::drawModel(randomize::EntryDraws& draws) const {
                                   models_.begin());
 }
 
-/// The size that stands for what is drawn; that one is noted.
+/// Draws a size: the one that represents the drawn number. It is also the one that is noted.
 std::size_t ObjectVariants::drawSize(randomize::EntryDraws& draws) const {
   if (sizes_.empty()) return 0;
   base::RandomSource source = draws.source(entry_ + "/scale");
@@ -111,7 +110,7 @@ std::size_t ObjectVariants::drawSize(randomize::EntryDraws& draws) const {
   return static_cast<std::size_t>(size - sizes_.begin());
 }
 
-/// Which of the variants of that model.
+/// Draws one of the variants of the model.
 std::size_t ObjectVariants::drawNumber(randomize::EntryDraws& draws) const {
   if (config_.variety->variety == randomize::Variety::kNone) return 0;
   const std::size_t number =

@@ -12,24 +12,24 @@
 
 namespace synthetic_dataset::scene {
 
-/// What an object may look like in a scene.
+/// A form that an object may take in a scene.
 struct ObjectVariant {
-  std::optional<std::string> model;  ///< as ObjectConfig::model
-  double scale = 1.0;                ///< times the model's size
+  std::optional<std::string> model;  ///< as ObjectOptions::model
+  double scale = 1.0;                ///< factor of the model's size
   randomize::Variety variety = randomize::Variety::kNone;
-  int number = 0;  ///< of those that are made of the model; 0: the model as it is
+  int number = 0;  ///< of the varieties of the model; 0: the model as it is
 };
 
 /// The models, sizes and variants of which an object has one in each scene, as `randomize/objects`
-/// says.
-/// They are made before the first scene, so of a size that is drawn from a range there are some few
-/// all over that range, each as likely as what it stands for.
+/// says. All are made before the first scene, so a size that is drawn from a range is replaced by
+/// one of a few that are spread over that range, each of them as likely as the part of the range
+/// that it represents.
 class ObjectVariants {
  public:
-  /// @throws Error naming a folder without models, or more variants than can be made
+  /// @throws Error naming a folder without models, or if there are more variants than can be made
   ObjectVariants(const ObjectOptions& object, const randomize::Randomization& randomization);
 
-  /// All of them: at least one.
+  /// All variants: at least one.
   [[nodiscard]] const std::vector<ObjectVariant>& all() const { return all_; }
 
   [[nodiscard]] bool hasSeveralModels() const { return models_.size() > 1; }
@@ -39,11 +39,11 @@ class ObjectVariants {
     return config_.variety->variety == randomize::Variety::kNone ? 1 : config_.variety->variants;
   }
 
-  /// Which one is active: an index in all of them.
+  /// Draws the active variant: an index in all().
   [[nodiscard]] std::size_t draw(randomize::EntryDraws& draws) const;
 
  private:
-  /// A size, and the greatest number for which it stands.
+  /// A size, and the largest drawn number that it represents.
   struct Size {
     double factor;
     double up_to;
@@ -56,12 +56,12 @@ class ObjectVariants {
   [[nodiscard]] std::size_t drawNumber(randomize::EntryDraws& draws) const;
 
   std::string entry_;                                          ///< "objects/NAME"
-  randomize::ObjectRandomization config_;                      ///< its variety is there
-  std::map<std::string, std::vector<std::string>> models_of_;  ///< by what is drawn: it, or the
-                                                               ///< models in the folder that it is
-  std::vector<std::string> models_;  ///< of all of these, each once; empty: its own alone
+  randomize::ObjectRandomization config_;                      ///< its variety is always set
+  std::map<std::string, std::vector<std::string>> models_of_;  ///< by the drawn text: that model,
+                                                               ///< or the models in that folder
+  std::vector<std::string> models_;  ///< of all of these, each once; empty: only its own
   std::vector<Size> sizes_;          ///< ascending; empty: none is drawn
-  std::vector<ObjectVariant> all_;   ///< model by model, of each its sizes, of each its variants
+  std::vector<ObjectVariant> all_;   ///< ordered by model, then size, then variant
 };
 
 }  // namespace synthetic_dataset::scene

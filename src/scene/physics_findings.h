@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::scene {
 
-/// What a world's physics has led to that a user should know of.
+/// Results of a world's physics that the user should know about.
 class PhysicsFindings {
  public:
   /// @param world  has to outlive this
@@ -19,12 +19,12 @@ class PhysicsFindings {
       : world_(world), tolerance_(tolerance) {}
 
   /// Objects that are inside something now.
-  /// @param warnings  gets one of each
+  /// @param warnings  receives one for each
   [[nodiscard]] std::vector<base::ContactFacts> contacts(
       Stamp stamp, std::vector<base::Warning>& warnings) const;
 
-  /// Warns of models that have left the world, in each scene that is without them: what a scene
-  /// says must not depend on which scenes this process has made before it.
+  /// Warns of models that have left the world, in every scene that lacks them: a scene's warnings
+  /// must not depend on which scenes this process has made before it.
   void addFallen(Stamp stamp, std::vector<base::Warning>& warnings) const;
 
  private:

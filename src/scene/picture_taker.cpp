@@ -49,11 +49,12 @@ void PictureTaker::expose(std::size_t camera, Duration offset, CameraPoses& pose
   }
 }
 
-/// Keeps in mind where all is; draws when the last moment of what is drawn at once has come.
+/// Remembers where everything is; draws once the last moment of a group that is drawn together has
+/// come.
 void PictureTaker::wait(const CameraRig& camera, const Pose& X_GC, std::size_t shot,
                         const ShotMoment& moment, Sensor& sensor) {
   const bool rolls = sensor.shots[shot].rolls();
-  // Samples without rows are drawn one after the other, but with the same shadow maps.
+  // Shots that do not roll are drawn one after the other, but with the same shadow maps.
   std::vector<render::RollingMoment>& moments = sensor.moments[rolls ? shot : 0];
   const std::size_t count = rolls ? sensor.shots[shot].moments.size() : sensor.shots.size();
   const render::LinkSelection present = world_.presentLinks();
@@ -88,9 +89,9 @@ render::ColourPass PictureTaker::passOf(const CameraRig& camera,
   return pass;
 }
 
-/// What the weather hides follows from the middle of the exposure.
-render::TakenView PictureTaker::lookThroughWeather(const CameraRig& camera, const Pose& X_GC) {
-  constexpr double kUnblurred = 0.005;  // [s]: drops are streaks in any picture
+/// What the weather hides is computed from the middle of the exposure.
+render::CapturedView PictureTaker::lookThroughWeather(const CameraRig& camera, const Pose& X_GC) {
+  constexpr double kUnblurred = 0.005;  // [s]: drops are streaks in every picture
   const double exposure = toSeconds(camera.shutter.exposure_time);
   const render::View view{camera.model, X_GC};
   return {view, renderer_.distances(view, world_.linkPoses(), world_.presentLinks()),
@@ -103,7 +104,7 @@ render::PendingPicture PictureTaker::develop(std::size_t camera, std::int64_t sc
   sensor.present.clear();
   render::PendingPicture seen = std::exchange(sensor.picture, {});
   if (sensor.in_weather) {
-    // The cameras of an instant see the same drops.
+    // All cameras of an instant see the same drops.
     const std::int64_t instant = scene_index / static_cast<std::int64_t>(cameras_.size());
     seen = [picture = std::move(seen), taken = std::move(*sensor.in_weather),
             weather = cameras_[camera].weather,

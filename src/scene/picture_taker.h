@@ -17,7 +17,7 @@
 namespace synthetic_dataset::scene {
 
 /// Takes the cameras' pictures as their sensors would: over the time that their shutters are open,
-/// with the effects of lens and sensor.
+/// and with the effects of lens and sensor.
 ///
 /// For each instant: move the world to each of `offsets` from the instant and `expose` each camera,
 /// then `develop` each camera's picture.
@@ -27,36 +27,36 @@ class PictureTaker {
   PictureTaker(const world::World& world, render::Renderer& renderer,
                const std::vector<CameraRig>& cameras, std::int64_t seed);
 
-  /// The times around an instant at which a shutter lets light in, ascending; 0 is among them.
+  /// The offsets from an instant at which pictures are exposed, ascending; 0 is among them.
   [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
 
-  /// Lets the world as it stands at `offset` from the instant fall on a camera's sensor.
-  /// @param poses  of the cameras then
+  /// Exposes a camera's sensor to the world as it stands at `offset` from the instant.
+  /// @param poses  of the cameras at that time
   void expose(std::size_t camera, Duration offset, CameraPoses& poses);
 
-  /// What a camera has seen, to be made in any thread as long as the renderer lives: CV_8UC3, blue
-  /// green red. Its sensor is dark again then.
-  /// @param scene_index  its noise belongs to this scene
+  /// The picture that a camera has taken: CV_8UC3, blue green red. May be evaluated in any thread
+  /// as long as the renderer lives. Resets the sensor for the next instant.
+  /// @param scene_index  determines the noise
   [[nodiscard]] render::PendingPicture develop(std::size_t camera, std::int64_t scene_index);
 
-  /// Puts what the camera measures in the place of a scene's depth, where that is known; in any
-  /// thread.
+  /// Replaces a scene's depth, if it is known, by what the camera would measure. May be called in
+  /// any thread.
   void measureDepth(Scene& scene) const;
 
  private:
-  /// A camera's plan, and what has fallen on its sensor so far.
+  /// A camera's planned shots, and what its sensor has recorded so far.
   struct Sensor {
     std::vector<Shot> shots;
 
-    /// Moments so far: of each shot that rolls, or of all other shots together.
+    /// Moments so far: of each rolling shot, or of all other shots together.
     std::vector<std::vector<render::RollingMoment>> moments;
 
-    render::LinkSelection present;                ///< at all of these moments
-    std::optional<Exposure> exposure;             ///< where a picture takes several shots
-    render::PendingPicture picture;               ///< where it takes one
-    std::optional<render::TakenView> in_weather;  ///< at the instant, unless the air is clear
+    render::LinkSelection present;                   ///< at all of these moments
+    std::optional<Exposure> exposure;                ///< if a picture takes several shots
+    render::PendingPicture picture;                  ///< if it takes one
+    std::optional<render::CapturedView> in_weather;  ///< at the instant, unless the air is clear
 
-    /// Whether the picture is that of one moment.
+    /// Whether the picture is of a single moment.
     [[nodiscard]] bool isSimple() const { return shots.size() == 1 && !shots.front().rolls(); }
   };
 
@@ -64,7 +64,7 @@ class PictureTaker {
                                                  const render::LinkSelection& present);
   void wait(const CameraRig& camera, const Pose& X_GC, std::size_t shot, const ShotMoment& moment,
             Sensor& sensor);
-  [[nodiscard]] render::TakenView lookThroughWeather(const CameraRig& camera, const Pose& X_GC);
+  [[nodiscard]] render::CapturedView lookThroughWeather(const CameraRig& camera, const Pose& X_GC);
 
   const world::World& world_;
   render::Renderer& renderer_;

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// What came on the topic, from a running system or in the bags.
+/// The map received on the topic, from a running system or from the bags.
 motion::RecordedMap topicsMap(const SceneOptions& config) {
   const randomize::PlacementOptions& placement = config.placement;
   if (placement.received_map) return randomize::receivedMap(*placement.received_map);

@@ -25,11 +25,11 @@ void RowRecorder::record(std::size_t camera, Duration offset, CameraPoses& poses
                          const std::vector<std::optional<Pose>>& X_GO) {
   for (const ShotMoment& moment : shots_[camera].moments) {
     if (moment.offset != offset) continue;
-    std::optional<label::TakenInRows>& taken = taken_[camera];
+    std::optional<label::CapturedRows>& taken = taken_[camera];
     const render::LinkSelection& present = world_.presentLinks();
     if (!taken) {
       const int bands = static_cast<int>(shots_[camera].moments.size()) - 1;
-      taken = label::TakenInRows{{cameras_[camera].model, {}, bands}, present, {}};
+      taken = label::CapturedRows{{cameras_[camera].model, {}, bands}, present, {}};
     }
     std::transform(present.begin(), present.end(), taken->present.begin(), taken->present.begin(),
                    std::logical_and<>());
@@ -38,7 +38,7 @@ void RowRecorder::record(std::size_t camera, Duration offset, CameraPoses& poses
   }
 }
 
-label::TakenInRows RowRecorder::take(std::size_t camera) {
+label::CapturedRows RowRecorder::take(std::size_t camera) {
   return std::exchange(taken_[camera], std::nullopt).value();
 }
 

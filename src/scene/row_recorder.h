@@ -12,18 +12,18 @@
 
 namespace synthetic_dataset::scene {
 
-/// Records where all is while rolling shutters take their rows, for labels of each row's own time:
-/// that of the middle of its exposure.
+/// Records where everything is while rolling shutters take their rows, for labels of each row's own
+/// time: the middle of its exposure.
 ///
 /// For each instant: move the world to each of `offsets` from the instant and `record`, then `take`
 /// each camera's.
 class RowRecorder {
  public:
   /// All references have to outlive this.
-  /// @param follows_rows  whether labels are of the rows' times; else nothing is recorded
+  /// @param follows_rows  whether labels are of the rows' times; if not, nothing is recorded
   RowRecorder(const world::World& world, const std::vector<CameraRig>& cameras, bool follows_rows);
 
-  /// The times around an instant at which something is recorded, ascending.
+  /// The offsets from an instant at which something is recorded, ascending.
   [[nodiscard]] const std::vector<Duration>& offsets() const { return offsets_; }
 
   /// Whether something is recorded for a camera.
@@ -32,20 +32,21 @@ class RowRecorder {
   /// Whether something is recorded for any camera.
   [[nodiscard]] bool followsAny() const { return !offsets_.empty(); }
 
-  /// Records the world as it stands at `offset` from the instant, where a camera needs that.
-  /// @param poses  of the cameras then
-  /// @param X_GO  of the objects then
+  /// Records the world as it stands at `offset` from the instant, if the camera needs that.
+  /// @param poses  of the cameras at that time
+  /// @param X_GO  of the objects at that time
   void record(std::size_t camera, Duration offset, CameraPoses& poses,
               const std::vector<std::optional<Pose>>& X_GO);
 
-  /// What was recorded for a camera that this follows, after the last of its times.
-  [[nodiscard]] label::TakenInRows take(std::size_t camera);
+  /// What was recorded for a camera for which follows() is true; to be called after the last of its
+  /// times.
+  [[nodiscard]] label::CapturedRows take(std::size_t camera);
 
  private:
   const world::World& world_;
   const std::vector<CameraRig>& cameras_;
-  std::vector<Shot> shots_;  ///< of cameras_; without moments where nothing is recorded
-  std::vector<std::optional<label::TakenInRows>> taken_;
+  std::vector<Shot> shots_;  ///< of cameras_; without moments if nothing is recorded
+  std::vector<std::optional<label::CapturedRows>> taken_;
   std::vector<Duration> offsets_;
 };
 

@@ -14,13 +14,13 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// How far a box reaches from its frame's origin, as seen from above [m].
+/// How far a box reaches from its frame's origin, seen from above [m].
 double radiusOf(const Cuboid& box) {
   const Eigen::Vector3d far = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs());
   return std::hypot(far.x(), far.y());
 }
 
-/// Around each model of a role, in its own frame, in the world's order.
+/// The bounding box of each model with a role, in the model's frame, in the world's order.
 std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
   std::vector<std::vector<const world::Link*>> models;
   std::string last;
@@ -39,7 +39,7 @@ std::vector<Cuboid> boxesOf(world::Role role, const world::World& world) {
   return boxes;
 }
 
-/// The rectangle around all that stands still and is no object.
+/// The rectangle around everything that stands still and is not an object.
 randomize::GroundArea groundArea(const world::World& world) {
   std::vector<const world::Link*> links;
   std::vector<Pose> X_GL;
@@ -144,7 +144,7 @@ void SceneArranger::setUpCameras(const SceneOptions& config,
       if (object.takes_part) targets.push_back(object.name);
     }
     const std::string& look_at = camera->sample->look_at;
-    const bool is_told = look_at.empty();  // what is not text was reported already
+    const bool is_told = look_at.empty();  // a look_at that is not a text was reported already
     if (!is_told && std::find(targets.begin(), targets.end(), look_at) == targets.end()) {
       throw Error(camera->group + "/sample/look_at: found '" + look_at +
                   "'; it should be any, all, an object of robot_list or a point [x, y, z]" +
@@ -168,13 +168,13 @@ void SceneArranger::placeObjects(std::int64_t instant) {
 void SceneArranger::followProps() {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const bool stands = objects_[i].takes_part && objects_[i].stands;
-    if (stands) frames_.place(object_frames_[i], world_.poseOfOwn(i));
+    if (stands) frames_.place(object_frames_[i], world_.worldModelPose(i));
   }
 }
 
 void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   if (!distractor_placer_) return;
-  // Cameras that find a place afterwards keep away themselves.
+  // Cameras that are placed afterwards keep their distance themselves.
   std::vector<Eigen::Vector3d> cameras_G;
   for (const CameraRig& rig : rigs_) {
     if (rig.sampled) continue;
@@ -187,8 +187,8 @@ void SceneArranger::placeDistractors(std::int64_t instant, Stamp stamp) {
   }
 }
 
-/// Around the objects as they stand, along the global frame's axes; also around those that are
-/// absent, so that what is put around them does not tell.
+/// The objects' current bounding boxes along the global frame's axes; absent objects included, so
+/// that the distractors around them do not reveal which objects are absent.
 std::vector<Cuboid> SceneArranger::objectBoxes(Stamp stamp) const {
   std::vector<Cuboid> boxes_G;
   for (std::size_t i = 0; i < objects_.size(); ++i) {

@@ -19,44 +19,45 @@
 
 namespace synthetic_dataset::scene {
 
-/// Puts what is put somewhere at random, scene by scene: objects, where there is no recording to
-/// follow, and cameras.
+/// Places things at random, scene by scene: objects, if there is no recording to follow,
+/// distractors, and cameras.
 class SceneArranger {
  public:
-  /// Lets the props come to rest where objects are placed among them.
+  /// Lets the props come to rest if objects are placed among them.
   /// @param variants  of each object
   /// @param shapes, world, frames  have to outlive this
-  /// @param diagnostics  takes what the user may like to know
-  /// @throws ErrorList with all that keeps objects and cameras from being placed
+  /// @param diagnostics  receives what the user may want to know
+  /// @throws ErrorList with everything that keeps objects and cameras from being placed
   SceneArranger(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                 const std::vector<ObjectVariants>& variants, const ObjectShapes& shapes,
                 world::World& world, motion::PlacedFrames& frames, base::Diagnostics& diagnostics);
 
-  /// Whether no scene has to do with the one before.
+  /// Whether each scene is independent of the one before.
   [[nodiscard]] bool standsAlone() const { return placer_.has_value(); }
 
-  /// Puts the objects of a time's scenes, if that is done here: the world starts anew then.
+  /// Places the objects of an instant's scenes, if objects are placed at random; this resets the
+  /// world.
   void placeObjects(std::int64_t instant);
 
-  /// Puts the frames of objects that physics moves to where the world has them now.
+  /// Moves the frames of objects that physics moves to their current poses in the world.
   void followProps();
 
-  /// Puts the distractors of a time's scenes, as the world stands.
+  /// Places the distractors of an instant's scenes in the world's current state.
   void placeDistractors(std::int64_t instant, Stamp stamp);
 
-  /// The numbers of the distractors that were placed last; nothing where there are none at all.
+  /// The numbers of the distractors that were placed last; nothing if the run has no distractors.
   [[nodiscard]] const std::optional<std::vector<int>>& distractors() const {
     return distractors_there_;
   }
 
-  /// Puts the cameras of a time's scenes that are put at random, as the world stands.
-  /// @return what the user should know of it
+  /// Places the randomly placed cameras of an instant's scenes in the world's current state.
+  /// @return what the user should know about it
   [[nodiscard]] std::vector<base::Warning> placeCameras(std::int64_t instant, Stamp stamp);
 
  private:
   struct SampledCamera {
     motion::FrameId frame;
-    std::string group;  ///< of its settings, for messages
+    std::string group;  ///< full name of its settings, for messages
     randomize::CameraSampler sampler;
   };
 
@@ -73,7 +74,8 @@ class SceneArranger {
   std::vector<ObjectOptions> objects_;  ///< that are followed or placed
   std::vector<motion::FrameId> object_frames_;
   std::vector<motion::FrameId> distractor_frames_;  ///< of those with labels, in the world's order
-  std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, their links at rest
+  std::vector<std::vector<Cuboid>> boxes_O_;  ///< of the objects' variants, with their links at
+                                              ///< rest
   std::optional<randomize::Surroundings> surroundings_;
   std::optional<randomize::ScenePlacer> placer_;
   std::optional<randomize::DistractorPlacer> distractor_placer_;

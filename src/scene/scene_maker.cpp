@@ -55,7 +55,7 @@ SeenScene SceneMaker::begin(std::size_t camera, std::int64_t instant, Stamp stam
   }
   std::map<std::string, Pose> placed = posesByFrame(poses);
   placed.insert(X_GF.begin(), X_GF.end());
-  // Writers ask in their own thread, when the next scene may have been placed already.
+  // Writers call this in their own thread, when the next scene may already have been placed.
   scene.setTransforms([frames = frames_, stamp, placed = std::move(placed)](
                           const std::string& target, const std::string& source) {
     const auto inGlobal = [&](const std::string& frame) {
@@ -70,7 +70,7 @@ SeenScene SceneMaker::begin(std::size_t camera, std::int64_t instant, Stamp stam
   return {std::move(scene), {}, needs_optical_flow_ ? world_.linkPoses() : std::vector<Pose>{}};
 }
 
-void SceneMaker::lookInRows(SeenScene& seen, label::TakenInRows taken) {
+void SceneMaker::lookInRows(SeenScene& seen, label::CapturedRows taken) {
   Scene& scene = seen.scene;
   seen.pixels = labellers_[scene.camera_index].look({taken, world_}, scene);
   if (needs_optical_flow_) seen.rows = std::move(taken.view);

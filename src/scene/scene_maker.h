@@ -18,18 +18,18 @@
 
 namespace synthetic_dataset::scene {
 
-/// A scene that has been seen, and is still to be labelled from what was seen.
+/// A scene that has been seen, but still has to be labelled from what was seen.
 struct SeenScene {
   Scene scene;
   label::SeenPixels pixels;
-  std::vector<Pose> X_GL;  ///< of the world's links, for its optical flow
+  std::vector<Pose> X_GL;  ///< of the world's links, for the optical flow
 
-  /// The same where each row has its own time.
+  /// The same, if each row has its own time.
   std::optional<render::RollingView> rows = std::nullopt;
 };
 
-/// Labels what a camera sees of the world as it stands: what the writers' requirements ask for, and
-/// nothing else.
+/// Labels what a camera sees of the world in its current state; only what the writers' requirements
+/// ask for.
 class SceneMaker {
  public:
   /// All references have to outlive the maker.
@@ -39,13 +39,13 @@ class SceneMaker {
              const ObjectShapes& shapes, const Requirements& requirements,
              const label::PixelLabelOptions& options);
 
-  /// What a camera sees of the world as it stands now; what follows from pixels is left to
-  /// PendingLabels, the picture itself to the PictureTaker, the optical flow to addOpticalFlow, the
-  /// split to who plans them.
+  /// What a camera sees of the world in its current state. Labels that follow from pixels are left
+  /// to PendingLabels, the picture itself to the PictureTaker, the optical flow to addOpticalFlow,
+  /// and the split to the caller.
   /// @param instant  the index of the scene's time in the run
   /// @param poses  of the cameras at this time
-  /// @param X_GO  the objects' poses, in their order
-  /// @param X_GF  of other frames that the source of motion need not have
+  /// @param X_GO  the objects' poses, in the objects' order
+  /// @param X_GF  of other frames, which the source of motion need not have
   [[nodiscard]] SeenScene look(std::size_t camera, std::int64_t instant, Stamp stamp,
                                CameraPoses& poses, std::vector<std::optional<Pose>> X_GO,
                                const std::map<std::string, Pose>& X_GF = {});
@@ -55,28 +55,28 @@ class SceneMaker {
                                 CameraPoses& poses, std::vector<std::optional<Pose>> X_GO,
                                 const std::map<std::string, Pose>& X_GF) const;
 
-  /// What the camera sees if each row has its own time: labels of the picture in the place of those
-  /// of the instant. Poses stay those of the instant.
-  /// @param seen  that has begun
-  void lookInRows(SeenScene& seen, label::TakenInRows taken);
+  /// Labels what the camera sees if each row has its own time: replaces the labels of the instant
+  /// by those of the picture. Poses stay those of the instant.
+  /// @param seen  from begin()
+  void lookInRows(SeenScene& seen, label::CapturedRows taken);
 
-  /// Whether scenes have to wait for the next one.
+  /// Whether each scene has to wait for the next one.
   [[nodiscard]] bool needsOpticalFlow() const { return needs_optical_flow_; }
 
-  /// Where what is seen has moved to in the world as it stands now.
+  /// Adds the optical flow: where the seen points have moved to in the world's current state.
   /// @param next  the cameras' poses now; null after the last scene
   void addOpticalFlow(SeenScene& seen, CameraPoses* next) const;
 
-  /// The same where each row has its own time, in the next scene too.
+  /// The same if each row has its own time, also in the next scene.
   static void addOpticalFlowInRows(SeenScene& seen, const render::RollingView& next);
 
-  /// What a labelled scene's manifest gets of its objects: what was measured, and nothing else.
+  /// What the manifest says about a labelled scene's objects: only what was measured.
   /// @param agreement  of its masks
   [[nodiscard]] std::vector<base::ObjectFacts> objectFacts(
       const Scene& scene, const label::MaskAgreement& agreement) const;
 
  private:
-  /// X_GC of all cameras, by their frames.
+  /// The poses of all cameras' frames and optical frames, by frame name.
   [[nodiscard]] std::map<std::string, Pose> posesByFrame(CameraPoses& poses) const;
 
   const world::World& world_;

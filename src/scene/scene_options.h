@@ -18,9 +18,9 @@
 
 namespace synthetic_dataset::scene {
 
-/// What a motion's scenes are made of: what is where, how it looks, who sees it.
+/// What a motion's scenes consist of: objects and their poses, their look, cameras and lidars.
 struct SceneOptions {
-  /// Whether scenes are placed at random, not recorded.
+  /// Whether scenes are placed at random rather than recorded.
   [[nodiscard]] bool isPlaced() const { return motion.source == motion::MotionSource::kPlacement; }
 
   /// Whether the scenes' images are recorded ones.
@@ -34,8 +34,8 @@ struct SceneOptions {
                        [](const CameraOptions& each) { return each.image_topic.has_value(); });
   }
 
-  /// The lidar at the times of whose recorded clouds scenes are, as no pictures say when: the first
-  /// that has some. Null: none.
+  /// The lidar whose recorded clouds determine the times of scenes, if no pictures do: the first
+  /// lidar with recorded clouds. Null if there is none.
   [[nodiscard]] const lidar::LidarOptions* timingLidar() const {
     const auto found =
         std::find_if(lidars.begin(), lidars.end(),
@@ -43,10 +43,10 @@ struct SceneOptions {
     return isTwin() || found == lidars.end() ? nullptr : &*found;
   }
 
-  /// Whether scenes are at the times of something that was recorded, and not at regular ones.
+  /// Whether scenes are at the times of recorded pictures or clouds, rather than at regular times.
   [[nodiscard]] bool hasRecordedTimes() const { return isTwin() || timingLidar() != nullptr; }
 
-  /// How many objects are followed or placed, and no distractors.
+  /// The number of objects that are followed or placed, without distractors.
   [[nodiscard]] std::size_t robotCount() const {
     std::size_t count = 0;
     for (const ObjectOptions& object : objects) count += object.is_distractor ? 0 : 1;
@@ -64,7 +64,7 @@ struct SceneOptions {
   label::MaskOptions masks;
   label::LabelOptions labels;
   Duration settling{0};   ///< simulated before the first scene
-  std::int64_t seed = 0;  ///< of all that is random
+  std::int64_t seed = 0;  ///< of everything random
 };
 
 }  // namespace synthetic_dataset::scene

@@ -85,8 +85,8 @@ void SceneVariation::choose(std::int64_t instant, world::World& world) {
   chosen_ = draws.values();
 }
 
-/// Those that take part; of them, but for those that stand in the world, as many as are drawn,
-/// whichever they are, where a count is.
+/// Chooses the objects that are present: those that take part. If a count is drawn, a random subset
+/// of that size, which does not apply to objects that stand in the world.
 std::vector<bool> SceneVariation::choosePresent(randomize::EntryDraws& draws) const {
   std::vector<bool> present;
   std::vector<std::size_t> candidates;
@@ -128,9 +128,9 @@ void SceneVariation::vary(std::int64_t instant, render::Renderer& renderer,
   }
 }
 
-/// A recording has one lens for each camera, with the same dust in all of its scenes; scenes that
-/// have nothing to do with one another have dust of their own.
-/// @param drawn  gets what was drawn
+/// In a recording, a camera's lens has the same dust in all scenes; independent scenes each have
+/// dust of their own.
+/// @param drawn  receives what was drawn
 render::LensDust SceneVariation::dust(std::int64_t instant, const std::string& camera,
                                       std::vector<randomize::DrawnValue>& drawn) const {
   const std::int64_t of = is_placed_ ? instant : 0;
@@ -141,7 +141,7 @@ render::LensDust SceneVariation::dust(std::int64_t instant, const std::string& c
   return {*share, base::randomSeed(seed_, of, "dust on " + camera)};
 }
 
-/// The weather of all cameras.
+/// The weather, which all cameras share.
 render::Weather SceneVariation::weather(randomize::EntryDraws& draws) const {
   const randomize::WeatherRandomization& entries = config_.weather;
   if (!entries.changesAir()) return {};

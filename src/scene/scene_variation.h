@@ -25,22 +25,22 @@ class SceneVariation {
  public:
   /// @param variants  of each object
   /// @param world  has to outlive this
-  /// @param diagnostics  takes what the user should know
-  /// @throws ErrorList with the entries that mean nothing in this world
+  /// @param diagnostics  receives what the user should know
+  /// @throws ErrorList with the entries that have no meaning in this world
   SceneVariation(const SceneOptions& config, const std::vector<CameraRig>& cameras,
                  std::vector<ObjectVariants> variants, const world::World& world,
                  base::Diagnostics& diagnostics);
 
-  /// Draws what the scenes of a time look like, and lets the renderer and the cameras' sensors and
-  /// lenses follow.
+  /// Draws what the scenes of an instant look like, and applies it to the renderer and to the
+  /// cameras' sensors and lenses.
   void vary(std::int64_t instant, render::Renderer& renderer, std::vector<CameraRig>& cameras);
 
-  /// Draws which objects are present at a time and which of their variants are active, before
-  /// anything of its scenes is placed.
+  /// Draws which objects are present at an instant and which of their variants are active, before
+  /// anything in its scenes is placed.
   /// @param world  that of the constructor
   void choose(std::int64_t instant, world::World& world);
 
-  /// The materials that surfaces have now (world::Look::materials).
+  /// The current materials of surfaces (world::Look::materials).
   [[nodiscard]] const std::map<const world::Material*, world::Material>& materials() const {
     return materials_;
   }
@@ -58,15 +58,17 @@ class SceneVariation {
 
   randomize::Randomization config_;
   std::uint64_t seed_;
-  bool is_placed_;                              ///< each scene by itself, not along a recording
+  bool is_placed_;                              ///< each scene is independent, rather than part of
+                                                ///< a recording
   std::vector<render::SensorEffects> effects_;  ///< of the cameras, as they are set
   std::vector<CameraModel> models_;             ///< of the cameras, as they are calibrated
   std::optional<randomize::LookSampler> looks_;
   std::map<const world::Material*, world::Material> materials_;
   std::vector<ObjectOptions> objects_;                       ///< that are followed or placed
   std::vector<ObjectVariants> variants_;                     ///< of each object
-  std::vector<randomize::DrawnValue> chosen_;                ///< of the time: what is there
-  std::vector<randomize::DrawnValue> shared_;                ///< of the time: its look
+  std::vector<randomize::DrawnValue> chosen_;                ///< of the instant: which objects are
+                                                             ///< there
+  std::vector<randomize::DrawnValue> shared_;                ///< of the instant: its look
   std::vector<std::vector<randomize::DrawnValue>> cameras_;  ///< of each camera
 };
 

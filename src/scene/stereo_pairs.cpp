@@ -13,7 +13,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// Whether both calibrations are of cameras that are in one frame, by its name or by its pose.
+/// Whether both cameras are in the same frame, by its name or by its pose.
 bool shareFrame(const CameraRig& a, const CameraRig& b) {
   return a.frame == b.frame || (a.X_GC && b.X_GC && a.X_GC->isApprox(*b.X_GC, 0.0));
 }
@@ -22,12 +22,13 @@ bool isBesideItsFrame(const CameraRig& camera) {
   return camera.is_rectified && !camera.X_FC.translation().isZero(0.0);
 }
 
-/// From the first camera's rectified place to the second one's [m], in the first one's frame.
+/// From the first camera's rectified position to the second one's [m], in the first one's frame.
 Eigen::Vector3d baselineOf(const CameraRig& first, const CameraRig& second) {
   return first.X_FC.linear() * (second.X_FC.linear().transpose() * second.X_FC.translation());
 }
 
-/// X_FS, of the second camera's frame in the first one's, at a time at which both are known.
+/// X_FS, the pose of the second camera's frame in the first one's, at a time at which both are
+/// known.
 std::optional<Pose> between(const CameraRig& first, const CameraRig& second,
                             const motion::FrameSource& frames) {
   if (first.X_GC && second.X_GC) return Pose(first.X_GC->inverse() * *second.X_GC);
@@ -41,7 +42,7 @@ std::optional<Pose> between(const CameraRig& first, const CameraRig& second,
     const Stamp time = known.stamps.front();
     return Pose(frames.knownPose(first.followed, time).inverse() *
                 frames.knownPose(second.followed, time));
-  } catch (const Error&) {  // they are never known at once
+  } catch (const Error&) {  // they are never known at the same time
     return std::nullopt;
   }
 }
@@ -93,7 +94,7 @@ class PairPlacer {
   }
 
  private:
-  /// The first camera of some pair, of which a condition holds.
+  /// The first camera of a pair for which a condition holds.
   template <class Condition>
   const CameraRig* firstWith(const Condition& holds) const {
     const auto first = std::find_if(cameras_.begin(), cameras_.end(), [&](const CameraRig& other) {
@@ -102,7 +103,8 @@ class PairPlacer {
     return first == cameras_.end() ? nullptr : &*first;
   }
 
-  /// Rather than at the same place, as far as two cameras mounted by hand can say.
+  /// Whether the frames are a baseline apart rather than at the same place, within the accuracy of
+  /// frames measured by hand.
   [[nodiscard]] bool isBaselineAway(const CameraRig& first, const CameraRig& second) const {
     const auto X_FS = between(first, second, frames_);
     const Eigen::Vector3d baseline = baselineOf(first, second);

@@ -4,8 +4,8 @@
 
 namespace synthetic_dataset::world {
 
-/// The optical frame (x right, y down, z forward) in a body frame (x forward, y left, z up), as REP
-/// 103 has both. SDF's cameras look along their body frame's x.
+/// The pose of the optical frame (x right, y down, z forward) in the body frame (x forward, y left,
+/// z up), both as defined by REP 103. SDF cameras look along the x axis of their body frame.
 [[nodiscard]] inline Pose opticalInBody() {
   Pose X_BC = Pose::Identity();
   X_BC.linear() << 0, 0, 1,  //

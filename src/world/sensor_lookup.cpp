@@ -7,8 +7,8 @@ std::string lastOf(const std::string& name) {
   return scope == std::string::npos ? name : name.substr(scope + 2);
 }
 
-void refuseVarying(const std::string& name, const std::string& kind, const LinkInstance& carrier,
-                   const std::vector<LinkInstance>& links) {
+void requireFixedVariant(const std::string& name, const std::string& kind,
+                         const LinkInstance& carrier, const std::vector<LinkInstance>& links) {
   const bool varies = std::any_of(links.begin(), links.end(), [&](const LinkInstance& link) {
     return link.object == carrier.object && link.variant > 0;
   });

@@ -15,9 +15,10 @@ namespace synthetic_dataset::world {
 /// The last part of a scoped name.
 [[nodiscard]] std::string lastOf(const std::string& name);
 
-/// The one sensor of the named model that ends as the name does: Gazebo calls a sensor on a link
-/// that a fixed joint holds by the link that carries it, and gazebo_ros one of a multicamera
-/// without its sensor. Null where there is none, or several.
+/// Finds the only sensor of the named model whose last name part matches; null if there is none, or
+/// more than one. The parts in between may differ: Gazebo names a sensor on a link that a fixed
+/// joint holds after the link that carries it, and gazebo_ros names a camera of a multicamera
+/// without its sensor.
 template <class Sensor>
 const Sensor* findAlike(const std::string& name, const std::vector<Sensor>& sensors) {
   const Sensor* alike = nullptr;
@@ -30,11 +31,11 @@ const Sensor* findAlike(const std::string& name, const std::vector<Sensor>& sens
   return alike;
 }
 
-/// The sensor of a name.
-/// @param parameter  that names it
-/// @param kind  of sensors, for messages: "camera"
-/// @param diagnostics  takes a note where another one is taken
-/// @throws Error where there is none
+/// Finds the sensor of this name, or the one that findAlike takes for it.
+/// @param parameter  the parameter that names it
+/// @param kind  kind of sensor, for messages: "camera"
+/// @param diagnostics  receives a note if findAlike's sensor is taken
+/// @throws Error if there is none
 template <class Sensor>
 const Sensor& findSensor(const std::string& name, const std::vector<Sensor>& sensors,
                          const std::string& parameter, const std::string& kind,
@@ -52,13 +53,13 @@ const Sensor& findSensor(const std::string& name, const std::vector<Sensor>& sen
               "' (model::link::sensor); there " + (there.empty() ? "is none" : "are " + there));
 }
 
-/// @param kind  of the sensor: "camera"
+/// @param kind  kind of sensor: "camera"
 /// @throws Error for a sensor on a link of an object that comes in several variants
-void refuseVarying(const std::string& name, const std::string& kind, const LinkInstance& carrier,
-                   const std::vector<LinkInstance>& links);
+void requireFixedVariant(const std::string& name, const std::string& kind,
+                         const LinkInstance& carrier, const std::vector<LinkInstance>& links);
 
-/// The link that carries a sensor, if it is one that moves.
-/// @throws Error as refuseVarying
+/// The index of the link that carries a sensor, if that link is not static.
+/// @throws Error as requireFixedVariant
 template <class Sensor>
 std::optional<std::size_t> movingLinkOf(const Sensor& sensor, const std::string& kind,
                                         const std::vector<LinkInstance>& links) {
@@ -68,7 +69,7 @@ std::optional<std::size_t> movingLinkOf(const Sensor& sensor, const std::string&
   };
   const auto found = std::find_if(links.begin(), links.end(), carries);
   if (found == links.end()) return std::nullopt;
-  refuseVarying(sensor.name, kind, *found, links);
+  requireFixedVariant(sensor.name, kind, *found, links);
   return static_cast<std::size_t>(found - links.begin());
 }
 

@@ -28,8 +28,8 @@ PhysicsOptions checked(const PhysicsOptions& options) {
   return options;
 }
 
-/// X_WB of each body of a variant; nothing for all of one that is nowhere.
-/// @param index  of the variant, as the motion counts
+/// X_WB of each body of a variant; nothing for all of them if the variant is not in the world.
+/// @param index  index of the variant, numbered as for ObjectPoseAt
 std::vector<std::optional<Pose>> bodyPoses(const MovingModel& moving, int index, Stamp time,
                                            const World::ObjectPoseAt& motion) {
   const std::optional<ObjectPose> pose = motion(index, time);
@@ -113,7 +113,7 @@ MovingCollisions World::Impl::collisionsOf(const Model& body) {
   return collisions;
 }
 
-/// The index of the object that a model of the description is, if it is one.
+/// The index of the object that a model of the description is; -1 if it is not an object.
 int World::Impl::objectOf(const Model& model) {
   const auto own = own_objects.find(model.name);
   if (own == own_objects.end()) return -1;
@@ -181,21 +181,21 @@ void World::Impl::moveObjects(Stamp time, const ObjectPoseAt& motion) {
   int index = 0;
   bool has_changed = false;
   for (Object& object : objects) {
-    bool is_somewhere = false;
+    bool has_pose = false;
     for (Variant& variant : object.variants) {
       const std::vector<std::optional<Pose>> X_WB =
           bodyPoses(variant.moving, index++, time, motion);
       for (std::size_t i = 0; i < X_WB.size(); ++i) variant.bodies[i].X_WB = X_WB[i];
-      is_somewhere = is_somewhere || X_WB.front();
+      has_pose = has_pose || X_WB.front();
     }
-    has_changed = has_changed || is_somewhere != object.is_somewhere;
-    object.is_somewhere = is_somewhere;
+    has_changed = has_changed || has_pose != object.has_pose;
+    object.has_pose = has_pose;
   }
   if (has_changed) updatePresentLinks();
 }
 
-/// The poses of all bodies that collide: inactive variants do not, and
-/// the motion is not asked where they would be.
+/// The poses of all bodies. Those of inactive variants have none: they do not collide, and the
+/// motion is not evaluated for them.
 std::vector<std::optional<Pose>> World::Impl::activePoses(Stamp time,
                                                           const ObjectPoseAt& motion) const {
   std::vector<std::optional<Pose>> all;
@@ -226,7 +226,7 @@ void World::Impl::updatePresentLinks() {
     for (const Variant& variant : object.variants) {
       const bool is_active = &variant == &object.variants[object.active];
       setPresentLinks(variant.moving.model, variant.first_link,
-                      object.is_present && object.is_somewhere && is_active);
+                      object.is_present && object.has_pose && is_active);
     }
   }
 }
@@ -368,7 +368,7 @@ const std::vector<bool>& World::presentLinks() const { return impl_->present_lin
 
 const std::vector<Pose>& World::linkPoses() const { return impl_->X_WL; }
 
-std::optional<Pose> World::poseOfOwn(std::size_t object) const {
+std::optional<Pose> World::worldModelPose(std::size_t object) const {
   const Model* model = impl_->objects[object].of_world;
   if (model == nullptr) return std::nullopt;
   for (const Impl::Prop& prop : impl_->props) {

@@ -27,10 +27,10 @@ struct World::Impl {
     Pose X_WM;   ///< as shown
   };
 
-  /// What moves as one piece of a variant.
+  /// A part of a variant that moves as one rigid body.
   struct Body {
     MovingCollisions collisions;
-    std::optional<Pose> X_WB;  ///< now; nothing before the first start
+    std::optional<Pose> X_WB;  ///< current pose; nothing before the first start
   };
 
   struct Variant {
@@ -38,23 +38,23 @@ struct World::Impl {
     std::size_t first_link;  ///< in `links`
     ObjectBodies parts;
     std::vector<Body> bodies;
-    std::optional<PropModel> falling;  ///< where objects are dropped and it has links
+    std::optional<PropModel> falling;  ///< if objects are dropped and the model has links
   };
 
   struct Object {
-    std::vector<Variant> variants;    ///< none of one that is of the world's own
-    const Model* of_world = nullptr;  ///< that is it: static, or a prop's
+    std::vector<Variant> variants;    ///< empty for one of the world's own models
+    const Model* of_world = nullptr;  ///< that model, static or a prop's
     std::size_t active = 0;           ///< index of the variant that is seen and touched
     bool is_present = true;
-    bool is_somewhere = true;  ///< rather than not known now
+    bool has_pose = true;  ///< false while its pose is not known
   };
 
   struct Distractor {
     Model model;
     std::size_t first_link;  ///< in `links`
     MovingCollisions collisions;
-    std::optional<PropModel> falling;  ///< where distractors are dropped
-    std::optional<Pose> X_WM;          ///< where it is present
+    std::optional<PropModel> falling;  ///< if distractors are dropped
+    std::optional<Pose> X_WM;          ///< nothing while it is absent
   };
 
   Impl(Description description_in, std::vector<MovingObject> objects_in,
@@ -101,8 +101,8 @@ struct World::Impl {
   std::vector<bool> present_links;  ///< of links
 
   std::unique_ptr<OverlapFinder> overlaps;
-  std::unique_ptr<Physics> physics;  ///< none where there is no prop: nothing depends on the past,
-                                     ///< and none before the start
+  std::unique_ptr<Physics> physics;  ///< null before the start, and without props: then
+                                     ///< nothing depends on the past
 
   std::optional<Stamp> start_time;
   Stamp now{0};

@@ -31,9 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that a URI of the user's means.
+/// The file to which a URI given by the user refers.
 fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
-  std::error_code gone;  // the working folder may be, and absolute names do without
+  std::error_code gone;  // the working folder may be gone; absolute names do not need it
   const fs::path here = fs::current_path(gone);
   const std::optional<fs::path> found = finder.find(uri, here);
   if (!found) {
@@ -50,7 +50,7 @@ fs::path fileFor(const std::string& uri, const ResourceFinder& finder) {
   }
 }
 
-/// A file that cannot be parsed is all that is wrong then.
+/// A file that cannot be parsed is the only error then.
 template <class Read>
 const SdfFile& parsedFile(const Read& read) {
   try {
@@ -62,7 +62,8 @@ const SdfFile& parsedFile(const Read& read) {
   }
 }
 
-/// A template and its arguments, as if it were a file beside it: one name for each text.
+/// The name of a template with its arguments, as of a file next to it: one name for each expanded
+/// text.
 fs::path expandedName(const fs::path& file, const TemplateArguments& arguments) {
   std::string name = file.filename().string();
   for (const auto& [key, value] : arguments) name += " " + key + ":=" + value;
@@ -72,7 +73,7 @@ fs::path expandedName(const fs::path& file, const TemplateArguments& arguments) 
 
 Description describeUrdf(const SdfFile& file, SdfReading& reading) {
   Description description;
-  if (reading.survey != nullptr) return description;  // it is read at once
+  if (reading.survey != nullptr) return description;  // a URDF is read without a survey
   UrdfModel robot = readUrdfModel(file, reading);
   description.models.push_back(std::move(robot.model));
   description.cameras = std::move(robot.cameras);
@@ -130,8 +131,8 @@ Description WorldLoader::loadFile(const std::string& uri, const TemplateArgument
   return load(parsed);
 }
 
-/// What is missing is found first, before anything large is read; then all meshes and pictures are
-/// read side by side.
+/// Missing files are found first, before anything large is read; then all meshes and pictures are
+/// read in parallel.
 Description WorldLoader::load(const SdfFile& file) {
   Findings findings;
   findings.on_missing_asset = options_.on_missing_asset;

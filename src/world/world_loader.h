@@ -17,10 +17,10 @@ namespace synthetic_dataset::world {
 
 struct SdfFile;
 
-/// Whether this is a model itself (XML) and not the URI of one.
+/// Whether a text is a model itself (XML) rather than the URI of one.
 [[nodiscard]] bool isModelText(const std::string& text);
 
-/// Reads worlds and models, SDF and URDF. All that one loader has read shares its meshes and
+/// Reads worlds and models, SDF and URDF. Everything that one loader reads shares its meshes and
 /// pictures.
 class WorldLoader {
  public:
@@ -34,30 +34,31 @@ class WorldLoader {
   WorldLoader(const WorldLoader&) = delete;
   WorldLoader& operator=(const WorldLoader&) = delete;
 
-  /// Reads an SDF world, or a model file, SDF or URDF (or a light's), as a world with this one
-  /// model. A xacro file is read as what xacro makes of it.
-  /// @param uri  a path, or a URI that the finder can find; of a model's folder the file that its
-  ///     model.config names
-  /// @throws ErrorList with every fault of the file and of the files that it names ("world.sdf:
+  /// Reads an SDF world; or a file of one model (SDF or URDF) or light, as a world with only that.
+  /// Templates, such as xacro files, are expanded first.
+  /// @param uri  a path, or a URI that the finder can find; for a model folder, the file that its
+  ///     model.config names is read
+  /// @throws ErrorList with every error in the file and in the files that it names ("world.sdf:
   ///     model 'shelf': link 'body': visual 'v': mesh 'model://x/y.dae': no such file; looked in
   ///     ...")
   [[nodiscard]] Description loadWorld(const std::string& uri);
 
   /// Reads one model from an SDF or a URDF file, or a folder with a model.config, or from the text
-  /// of such a file, where only package://, model:// and absolute paths lead to others.
+  /// of such a file, in which only package://, model:// and absolute paths can refer to other
+  /// files.
   /// @param name  the model's new name
-  /// @param arguments  of a xacro file
+  /// @param arguments  for a xacro file
   /// @throws ErrorList as loadWorld
   [[nodiscard]] Model loadModel(const std::string& model_or_uri, const std::string& name,
                                 const TemplateArguments& arguments = {});
 
-  /// What loadModel has left out or replaced so far; a world has its notes itself.
+  /// What loadModel has left out or replaced so far; the notes on a world are in its Description.
   [[nodiscard]] const std::vector<std::string>& modelNotes() const { return model_notes_; }
 
   /// The cameras of the models that loadModel has read, named by the models' new names.
   [[nodiscard]] const std::vector<CameraSensor>& modelCameras() const { return model_cameras_; }
 
-  /// Their lidars, likewise.
+  /// The lidars of those models, named in the same way.
   [[nodiscard]] const std::vector<LidarSensor>& modelLidars() const { return model_lidars_; }
 
  private:
@@ -76,11 +77,11 @@ class WorldLoader {
   std::vector<LidarSensor> model_lidars_;
 };
 
-/// WorldLoader::loadWorld of a loader for this once.
+/// WorldLoader::loadWorld with a temporary loader.
 [[nodiscard]] Description loadWorld(const std::string& uri, const ResourceFinder& finder,
                                     const LoadOptions& options = {});
 
-/// WorldLoader::loadModel of a loader for this once.
+/// WorldLoader::loadModel with a temporary loader.
 [[nodiscard]] Model loadModel(const std::string& uri, const std::string& name,
                               const ResourceFinder& finder);
 

@@ -4,7 +4,7 @@
 #include "world/world.h"
 #include "world/world_impl.h"
 
-/// What the world does for scenes that have nothing to do with one another.
+/// The parts of World for scenes that are independent of one another.
 namespace synthetic_dataset::world {
 namespace {
 
@@ -16,7 +16,7 @@ bool runToRest(Physics& physics, Duration time, Duration step) {
   return physics.isAtRest();
 }
 
-/// Where the first `count` props are.
+/// The poses of the first `count` props.
 std::vector<Pose> firstPoses(const Physics& physics, std::size_t count) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < count; ++i) poses.push_back(physics.propPose(i, Duration::zero()));
@@ -31,7 +31,7 @@ std::vector<StartingProp> World::Impl::startingProps() const {
   return starting;
 }
 
-/// From now on, and shows them there.
+/// Makes the props start from X_WM from now on, and shows them there.
 void World::Impl::startPropsAt(const std::vector<Pose>& X_WM) {
   for (std::size_t i = 0; i < props.size(); ++i) props[i].start = X_WM[i];
   showPropsAt(X_WM);
@@ -49,7 +49,7 @@ std::vector<StandingBody> World::Impl::standingProps() const {
 std::vector<StandingBody> World::Impl::standingObjects() const {
   std::vector<StandingBody> standing;
   for (const Object& object : objects) {
-    if (!object.is_present || object.variants.empty()) continue;  // the world's own are no bodies
+    if (!object.is_present || object.variants.empty()) continue;  // the world's own have no bodies
     const Variant& variant = object.variants[object.active];
     for (const Body& body : variant.bodies) {
       if (body.X_WB) standing.push_back({&body.collisions, *body.X_WB, variant.moving.model.name});
@@ -63,7 +63,7 @@ StandingBody World::Impl::standingObject(std::size_t object, const Pose& X_WO) c
   return {&variant.bodies.front().collisions, X_WO, variant.moving.model.name};
 }
 
-/// All that moves or is moved, as far as it is present: props and objects where they are now.
+/// Everything that moves or is moved, if it is present: props and objects where they are now.
 /// @param X_WM  of the distractors
 std::vector<StandingBody> World::Impl::standingBodies(
     const std::vector<std::optional<Pose>>& X_WM) const {

@@ -23,7 +23,7 @@ CameraModel cameraWith(const Distortion& distortion, double near = 0.05) {
 
 cv::Matx33d matrixOf(const Intrinsics& k) { return {k.fx, 0, k.cx, 0, k.fy, k.cy, 0, 0, 1}; }
 
-/// Where OpenCV has the points, which are in the camera's frame.
+/// Where OpenCV projects the points, which are in the camera's frame.
 std::vector<cv::Point2d> truth(const Distortion& distortion,
                                const std::vector<cv::Point3d>& points) {
   const auto& c = distortion.coefficients;
@@ -38,7 +38,8 @@ std::vector<cv::Point2d> truth(const Distortion& distortion,
   return pixels;
 }
 
-/// Several in one call stand in braces: there they are drawn from left to right by any compiler.
+/// Callers that draw several numbers in one expression use braces, which guarantee the order from
+/// left to right with every compiler.
 double uniform(std::mt19937& random, double reach) {
   return std::uniform_real_distribution<double>(-reach, reach)(random);
 }
@@ -95,8 +96,8 @@ TEST_P(Lens, RaysLeadBackToThePoints) {
       if (!pixel) continue;
       const auto ray = camera.ray(*pixel);
       ASSERT_TRUE(ray);
-      // At its rim a lens is so flat that a place tells little of the direction: there the way back
-      // is judged by the pixel.
+      // Near the rim of a lens, the pixel hardly depends on the direction: there only the
+      // reprojection is checked.
       const auto again = camera.project(5.0 * *ray);
       ASSERT_TRUE(again);
       EXPECT_LT((*again - *pixel).norm(), 1e-6);
@@ -108,7 +109,8 @@ TEST_P(Lens, RaysLeadBackToThePoints) {
 }
 
 TEST_P(Lens, ShowsNoPlaceTwice) {
-  // Outwards from the axis, pixels move outwards; past the lens's largest angle there are none.
+  // As the angle from the axis grows, so does the pixel's distance from the centre; past the
+  // lens's largest angle there are no pixels.
   std::mt19937 random(13);
   for (int trial = 0; trial < 100; ++trial) {
     Distortion distortion = randomDistortion(GetParam(), random);
@@ -131,7 +133,7 @@ TEST_P(Lens, ShowsNoPlaceTwice) {
   }
 }
 
-/// How far a pixel lies outside of the image; bounds may be less exact there, in proportion.
+/// How far a pixel lies outside the image; the farther it is, the less exact bounds may be.
 double distanceOutside(const CameraModel& camera, const Eigen::Vector2d& p) {
   return std::max({-p.x(), p.x() - camera.width(), -p.y(), p.y() - camera.height(), 0.0});
 }
@@ -238,7 +240,7 @@ TEST(Barrel, EndsWhereItWouldFoldBack) {
   EXPECT_FALSE(camera.projectedBounds({{3, 3, 1}, {4, 3, 1}, {3, 4, 1}}));
 }
 
-/// Its places on the picture are beyond all numbers, where no outline ever gets straight.
+/// Its image coordinates are so large that no piece of an outline ever counts as straight.
 TEST(Barrel, OfCoefficientsThatAreLargeBeyondMeasureComesToAnEnd) {
   for (const double k1 : {1e300, 1e150, -1e300, 1e12}) {
     const CameraModel camera = cameraWith({DistortionModel::kPlumbBob, {k1}});

@@ -37,7 +37,7 @@ TEST(MaskBounds, AreThoseOfAllPixelsOfMasksOfAnyWidthAndPlace) {
       mask.at<uchar>(upTo(part.height - 1), upTo(part.width - 1)) = trial % 2 == 0 ? 255 : 1;
     }
     ASSERT_EQ(maskBounds(mask), slowBounds(mask)) << mask;
-    // What is beside the part does not count.
+    // Pixels outside the part do not count.
     cv::Mat rest = cv::Mat(image.size(), CV_8UC1, cv::Scalar(255));
     mask.copyTo(rest(part));
     ASSERT_EQ(maskBounds(rest(part)), slowBounds(mask)) << mask;

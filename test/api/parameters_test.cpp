@@ -8,8 +8,8 @@ namespace parameters_test {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Of a list that holds one list alone, compilers disagree on whether it is that list (CWG 2137):
-/// hence Value(...) around it.
+/// Compilers disagree on whether a list that holds a single list is that list itself (CWG 2137),
+/// hence the Value(...) around the inner one.
 Parameters example() {
   return Parameters(Value::Map{
       {"rate", Value(4)},

@@ -63,7 +63,8 @@ TEST(Ply, TakesTheFewestDigitsThatReadBackAsTheSameFloat) {
                     {{123456.789, 1e-7, 16777217.0}, {0.0, 0.0, 1.0}, {}}};
   const std::string text = plyOf(model, 1.0);
   EXPECT_THAT(text, HasSubstr("\n0.1 0.33333334 0 0 0 1 "));
-  // A float has 24 bits: 16777217 = 2^24 + 1 is not one, 123456.789 lies 0.002 from the next.
+  // A float has a significand of 24 bits: it cannot hold 16777217 = 2^24 + 1, and near 123456.789
+  // floats are 1/128 apart.
   EXPECT_THAT(text, HasSubstr("\n123456.79 1e-07 16777216 0 0 1 "));
 }
 

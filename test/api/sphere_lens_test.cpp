@@ -42,7 +42,7 @@ TEST(OmnidirectionalLens, ProjectsAsOpenCvsOmnidirDoes) {
     for (int i = 0; i < 200; ++i) {
       const Eigen::Vector3d p = randomPoint(random);
       const auto pixel = camera.project(p);
-      if (!pixel || pixel->norm() > 1e5) continue;  // double's last digits are no pixels there
+      if (!pixel || pixel->norm() > 1e5) continue;  // rounding may exceed 1e-6 px there
       ++seen;
       std::vector<cv::Vec2d> truth;
       cv::omnidir::projectPoints(std::vector<cv::Vec3d>{{p.x(), p.y(), p.z()}}, truth, cv::Vec3d(),
@@ -56,8 +56,8 @@ TEST(OmnidirectionalLens, ProjectsAsOpenCvsOmnidirDoes) {
 #endif
 
 TEST(OmnidirectionalLens, ProjectsAsMeiAndRivesDo) {
-  // Equations 1 to 5 of their paper, a step each: onto the sphere, its frame moved by xi, onto the
-  // plane, bent, onto the image.
+  // Equations 1 to 5 of their paper, one step each: onto the sphere, the shift by xi, onto the
+  // normalized plane, the distortion, onto the image.
   std::mt19937 random(42);
   int seen = 0;
   for (int trial = 0; trial < 100; ++trial) {
@@ -90,7 +90,7 @@ Eigen::Vector2d doubleSphere(const Eigen::Vector3d& p, double xi, double alpha) 
           kIntrinsics.fy * p.y() / below + kIntrinsics.cy};
 }
 
-/// Where the paper has the end of what such a lens sees: z > -w2 d1.
+/// The largest angle that such a lens sees, from the paper's condition z > -w2 d1.
 double endOfSight(double xi, double alpha) {
   const double w1 = alpha <= 0.5 ? alpha / (1.0 - alpha) : (1.0 - alpha) / alpha;
   const double w2 = (w1 + xi) / std::sqrt(2.0 * w1 * xi + xi * xi + 1.0);

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 
-/// Writes what a test says.
+/// A writer whose behaviour is set by the test.
 class AnyWriter : public LabelWriter {
  public:
   std::function<void(const Scene&, SceneOutput&)> write = [](const Scene&, SceneOutput&) {};

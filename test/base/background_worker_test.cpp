@@ -50,7 +50,7 @@ TEST(BackgroundWorker, GivesWhatAJobThrewToTheCallerAndDoesNoMore) {
   EXPECT_FALSE(second_done);
 }
 
-/// As long as it lives, no new thread finds room for its stack.
+/// As long as it exists, no new thread can allocate its stack.
 class NoMoreThreads {
  public:
   NoMoreThreads() {

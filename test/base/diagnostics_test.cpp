@@ -55,7 +55,7 @@ TEST(Diagnostics, ListsOnceAndCountsWhatIsFoundAgain) {
   more.warning("lamp", "casts no shadow");
   more.add(Severity::kWarning, {"crate: has no texture"});
   more.warning("crate", "has no texture", 3);
-  more.note("crate", "has no texture");  // something else, as it is no warning
+  more.note("crate", "has no texture");  // listed separately, as it is not a warning
   found.merge(more);
   EXPECT_THAT(found.messages(Severity::kWarning),
               ElementsAre("crate: has no texture", "lamp: casts no shadow"));

@@ -12,7 +12,7 @@ namespace synthetic_dataset::base {
 namespace {
 
 TEST(JsonValue, ReadsWhatBrowsersWrite) {
-  EXPECT_EQ(Value(1e-7), parseJson("1e-7", "x"));  // a text for YAML 1.1
+  EXPECT_EQ(Value(1e-7), parseJson("1e-7", "x"));  // a string in YAML 1.1
   EXPECT_EQ(Value(3), parseJson("3", "x"));
   EXPECT_EQ(Value(1.8446744073709552e19), parseJson("18446744073709551615", "x"));
   EXPECT_EQ(Value("yes"), parseJson("\"yes\"", "x"));
@@ -27,7 +27,7 @@ TEST(JsonValue, IsTheOtherWayRoundOfStrictJson) {
             strictJsonText(Value::List{Value(infinity), Value(-infinity), Value(0.5)}));
   EXPECT_EQ(Value(-infinity), parseJson("\"-.inf\"", "x"));
   EXPECT_TRUE(std::isnan(*parseJson("\".nan\"", "x").as<double>()));
-  EXPECT_EQ("\"\\\\xe4\"", strictJsonText(Value("\xE4")));  // no UTF-8
+  EXPECT_EQ("\"\\\\xe4\"", strictJsonText(Value("\xE4")));  // not UTF-8
 }
 
 TEST(JsonValue, NamesWhatIsNoJson) {

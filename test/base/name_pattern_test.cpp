@@ -9,7 +9,7 @@ TEST(NamePattern, IsTheNameWhereItHasNoStar) {
   EXPECT_TRUE(matchesPattern("wall", "wall"));
   EXPECT_FALSE(matchesPattern("wall", "wal"));
   EXPECT_FALSE(matchesPattern("wal", "wall"));
-  EXPECT_FALSE(matchesPattern("wall_[1]", "wall_[12]"));  // brackets are letters
+  EXPECT_FALSE(matchesPattern("wall_[1]", "wall_[12]"));  // brackets are ordinary characters
 }
 
 TEST(NamePattern, StandsForAnyTextAtAStar) {

@@ -15,8 +15,8 @@ TEST(PrintableText, EscapesBytesThatAreNoUtf8) {
                       "e"),
             R"(gr\xf6\xdfe)");                                      // Latin 1
   EXPECT_EQ(printable("cut \xe2\x82"), R"(cut \xe2\x82)");          // the euro's first two bytes
-  EXPECT_EQ(printable("\xc0\xaf"), R"(\xc0\xaf)");                  // a slash in too many bytes
-  EXPECT_EQ(printable("\xed\xa0\x80"), R"(\xed\xa0\x80)");          // half of a pair of UTF-16
+  EXPECT_EQ(printable("\xc0\xaf"), R"(\xc0\xaf)");                  // an overlong slash
+  EXPECT_EQ(printable("\xed\xa0\x80"), R"(\xed\xa0\x80)");          // half of a surrogate pair
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), R"(\xf4\x90\x80\x80)");  // past the last character
 }
 

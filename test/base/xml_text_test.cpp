@@ -23,7 +23,7 @@ TEST(XmlText, RefusesAnElementOfTooManyAttributes) {
   EXPECT_EQ("", faultOf(elementWith(1000)));
   EXPECT_EQ("line 3: cannot be read as XML (an element has more than 1000 attributes)",
             faultOf(elementWith(1001, "<!-- <b \" -->\n<?x '?>\n")));
-  EXPECT_NE("", faultOf(elementWith(200000)));  // of which tinyxml2 takes minutes
+  EXPECT_NE("", faultOf(elementWith(200000)));  // tinyxml2 would take minutes
   EXPECT_NE("", faultOf("<r><![CDATA[<x ' ]]>" + elementWith(2000) + "</r>"));
 }
 

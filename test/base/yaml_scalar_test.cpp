@@ -9,7 +9,7 @@
 namespace synthetic_dataset::base {
 namespace yaml_scalar_test {
 
-// What yaml.safe_load of PyYAML 6.0 answers for each.
+// Expected values: what yaml.safe_load of PyYAML 6.0 returns for each text.
 
 TEST(PlainScalar, ReadsWholeNumbersOfAllBases) {
   EXPECT_EQ(plainScalar("0"), Value(0));

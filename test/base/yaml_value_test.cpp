@@ -156,7 +156,7 @@ TEST(ParseSettings, RefusesWhatTheParameterServerCannotHold) {
       {"yes: 2", "found the name yes, which"},
       {"a: deg(x)", "found the angle 'x'"},
       {"a: 1\n---\nb: 2", "a second document"},
-      {", a", "a second document"},  // of which yaml-cpp's LoadAll makes documents without end
+      {", a", "a second document"},  // yaml-cpp's LoadAll would find endless documents
       {"a: 1\n}", "illegal flow end"}};
   for (const auto& each : cases) {
     EXPECT_THAT(test::messagesOf([&] { return parseSettings(each.first, "test"); }),

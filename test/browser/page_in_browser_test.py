@@ -57,7 +57,7 @@ class PageInBrowser(unittest.TestCase):
     page = folder = None
 
     def measured(self, width):
-        """What the page looks like in a frame of this width: windows have a lowest one."""
+        """Measures of the page in a frame of this width, as windows have a minimum width."""
         text = self.page.read_text('utf-8')
         text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', '', text)
         inner = self.folder / 'measured_inner.html'
@@ -104,7 +104,7 @@ class PageInBrowser(unittest.TestCase):
                 self.assertEqual([line for line in log.splitlines() if 'CONSOLE' in line], [])
                 with Image.open(picture) as shot:
                     self.assertEqual(shot.width, width)
-                    # Header, text, tiles: a page that has not been drawn has a few colours.
+                    # Header, text, tiles: a page that has not been drawn has only a few colours.
                     self.assertGreater(len(shot.convert('RGB').getcolors(1 << 24)), 5000)
 
 

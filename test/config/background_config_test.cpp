@@ -18,7 +18,7 @@ Parameters settings(const std::string& background) {
   return Parameters(base::parseYaml("background: " + background, "test"));
 }
 
-/// What is read where nothing is wrong or unknown.
+/// Reads a background in which nothing should be wrong or unknown.
 randomize::BackgroundRandomization read(const std::string& background) {
   Parameters group = settings(background);
   randomize::BackgroundRandomization given = readBackground(group);
@@ -109,7 +109,7 @@ TEST(BackgroundConfig, RefusesWhatIsOutOfRange) {
               ElementsAre(HasSubstr("background/pictures: found ")));
 }
 
-/// What belongs to pictures alone, or to panoramas alone, means nothing without them.
+/// Entries that apply only to pictures, or only to panoramas, mean nothing without them.
 TEST(BackgroundConfig, KnowsNoEntryThatWouldMeanNothing) {
   const auto unknownIn = [](const std::string& background) {
     Parameters group = settings(background);

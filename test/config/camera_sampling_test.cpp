@@ -54,10 +54,10 @@ TEST(ReadCameraSampling, LooksAtAnyObjectFromAShellByDefault) {
 }
 
 TEST(ReadCameraSampling, ReadsLengthsInSizesOfWhatItLooksAt) {
-  EXPECT_FALSE(Reading("unit: metres").sampling.is_in_sizes);
+  EXPECT_FALSE(Reading("unit: metres").sampling.is_relative_to_size);
   const Reading reading("unit: sizes, distance: {log_uniform: [2, 20]}");
   EXPECT_THAT(reading.root.errors(), IsEmpty());
-  EXPECT_TRUE(reading.sampling.is_in_sizes);
+  EXPECT_TRUE(reading.sampling.is_relative_to_size);
   EXPECT_THAT(Reading("unit: sizes, look_at: [1, 2, 3]").root.errors(),
               ElementsAre(HasSubstr("camera/sample/unit: found sizes beside a point")));
 }

@@ -34,7 +34,8 @@ alpha:
   bounding_shape: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
 )";
 
-/// The settings with one line of the minimal file replaced, or a line added.
+/// The parameters and configuration of a settings text: the minimal file, in which with() replaces
+/// a text and to which plus() adds lines.
 struct Reading {
   explicit Reading(const std::string& text) : root(base::parseYaml(text, "test")) {
     config = readConfig(root);
@@ -452,7 +453,7 @@ TEST(UnknownParameters, AreErrorsThatSayWhatTheyMayHaveMeant) {
                            HasSubstr("yolo/main_list"), HasSubstr("bounding_shape/output_frame")));
 }
 
-/// What each is near to takes time, and nobody reads so many lines.
+/// Finding the nearest known name takes time, and nobody reads so many lines.
 TEST(UnknownParameters, AreListedAsFarAsSomebodyMayReadThem) {
   std::string names;
   for (int i = 0; i < 20000; ++i) names += "simulated_" + std::to_string(i) + ": 1\n";

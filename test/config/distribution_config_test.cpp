@@ -27,7 +27,7 @@ Parameters settings(const std::string& x) {
   return Parameters(base::parseYaml("sun: {x: " + x + "}", "test"));
 }
 
-/// What is drawn from an entry that should be right.
+/// Numbers drawn from an entry that should be valid.
 std::vector<std::vector<double>> drawsOf(const std::string& x, const DistributionRange& range,
                                          int count = 100) {
   Parameters root = settings(x);
@@ -42,7 +42,7 @@ std::vector<std::vector<double>> drawsOf(const std::string& x, const Distributio
   return draws;
 }
 
-/// "lowest highest" of an entry that should be right.
+/// The lowest and the highest value of an entry that should be valid.
 std::pair<double, double> rangeOf(const std::string& x, const DistributionRange& range = {}) {
   Parameters root = settings(x);
   const auto distribution = maybeDistribution(root.group("sun"), "x", range);

@@ -21,7 +21,7 @@ scene::ObjectOptions objectOf(const std::string& name, const std::string& class_
   return object;
 }
 
-/// "0 rover, 1 drone": what classes became of these objects.
+/// The classes that are made of these objects, in the form "0 rover, 1 drone".
 std::string classesOf(Parameters root, std::vector<scene::ObjectOptions>& objects) {
   std::string text;
   for (const ClassConfig& each : readClasses(root, objects)) {

@@ -18,7 +18,7 @@ class LidarConfig : public ::testing::Test {
     if (!lidar::canCastRays()) GTEST_SKIP() << lidar::howToCastRays();
   }
 
-  /// The lidar "top" with such settings.
+  /// The lidar "top" with these settings.
   lidar::LidarOptions read(const Value::Map& settings) {
     Parameters root(Value(Value::Map{{"lidars", Value(Value::Map{{"top", Value(settings)}})}}));
     const auto lidars = readLidars(root, {});

@@ -34,7 +34,7 @@ std::vector<std::string> errorsOf(const std::string& entries, const std::string&
   return motions(entries, more).errors;
 }
 
-/// A setting of an entry; nothing where it has none.
+/// A setting of an entry; null if the entry does not have it.
 Value setting(const MotionEntry& entry, const std::string& name) {
   const auto* settings = entry.settings.as<Value::Map>();
   const auto found = settings->find(name);
@@ -153,7 +153,7 @@ TEST(ReadMotions, KeepsTheRecordingsSettingsFromPlacementsAndTheOtherWayRound) {
 }
 
 TEST(ReadMotions, LeavesSettingsThatNoMotionCanHave) {
-  // They are the errors that they are without a list.
+  // They are errors, as they are without a list.
   const MotionList list = motions("[{}, {name: b}]", "placement: {map: m.yaml}");
   EXPECT_FALSE(setting(list.entries[0], "placement").isNull());
   EXPECT_FALSE(setting(list.entries[1], "placement").isNull());

@@ -15,7 +15,7 @@ using ::testing::Not;
 
 Value::Map yaml(const std::string& text) { return *base::parseYaml(text, "test").as<Value::Map>(); }
 
-/// The run's settings with an entry's over them; both have the object `rover`.
+/// The run's settings overlaid with an entry's; both have the object `rover`.
 Value::Map overlaid(const std::string& run, const std::string& own) {
   Value::Map settings = yaml(run);
   overlayMotion(settings, yaml(own), {"rover"});
@@ -142,7 +142,7 @@ TEST(OverlayMotion, MovesAnObjectWithAnotherFrame) {
 }
 
 TEST(OverlayMotion, ReplacesTheLinksFramesAsAWhole) {
-  // Merged, the run's frames would be asked of a recording that has others.
+  // If they were merged, the run's frames would be looked up in a recording that has other ones.
   EXPECT_EQ(
       overlaid("{rover: {link_frames: {arm: a, hand: h}}}", "{rover: {link_frames: {arm: b}}}"),
       yaml("{rover: {link_frames: {arm: b}}}"));

@@ -22,7 +22,7 @@ using Optional = std::optional<base::Distribution>;
 
 Parameters settings(const std::string& yaml) { return Parameters(base::parseYaml(yaml, "test")); }
 
-/// What is read of `randomize` where nothing is wrong or unknown.
+/// Reads a `randomize` in which nothing should be wrong or unknown.
 randomize::Randomization read(const std::string& randomize) {
   Parameters root = settings("randomize: " + randomize);
   randomize::Randomization randomization = readRandomization(root);
@@ -37,7 +37,7 @@ std::vector<std::string> errorsOf(const std::string& randomize) {
   return root.errors();
 }
 
-/// The one error of a group with an entry: "lights/sun", "sensor".
+/// The only error of a group with one entry; the group is "lights/sun" or "sensor", for example.
 std::string errorOf(const std::string& group, const std::string& entry) {
   const bool is_flat = group.find('/') == std::string::npos;
   const auto errors =
@@ -285,7 +285,7 @@ TEST(Randomization, ShiftsEachAxisByItselfAndTintsAllChannelsAlike) {
   EXPECT_EQ(colour[1], colour[2]);
 }
 
-// --- What is wrong ---
+// --- Errors ---
 
 TEST(Randomization, RefusesAProbabilityThatIsNone) {
   const std::string group = "lights/sun";

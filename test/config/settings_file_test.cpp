@@ -131,14 +131,14 @@ TEST(LoadSettings, NamesWhatIsNoText) {
               testing::ElementsAre(HasSubstr("my.yaml: is compressed; `gunzip` unpacks it")));
 }
 
-/// Settings files that lie below others.
+/// Settings files that others include.
 class IncludedSettings : public testing::Test {
  protected:
   [[nodiscard]] Map load(const std::string& name, const TextFinder& finder = noPackage) const {
     return loadSettings((folder / name).string(), finder);
   }
 
-  /// What loading a file says.
+  /// The error of loading a file.
   [[nodiscard]] std::string errorOf(const std::string& name) const {
     try {
       (void)load(name);

@@ -15,7 +15,7 @@ SETTINGS: List[Dict[str, Any]] = [
 
 @contextlib.contextmanager
 def changed(file: pathlib.Path) -> Iterator[None]:
-    """Put back afterwards."""
+    """Restores the file afterwards."""
     before = file.read_bytes()
     try:
         yield
@@ -24,7 +24,7 @@ def changed(file: pathlib.Path) -> Iterator[None]:
 
 
 def files_but_for_log(found: dataset.Snapshot) -> dataset.Snapshot:
-    """Of the manifest the rows are compared: what SQLite keeps beside it is its own matter."""
+    """All but the manifest: its rows are compared, and SQLite may keep what it likes beside it."""
     return {path: file for path, file in found.items() if not dataset.is_of_manifest(path)}
 
 
@@ -45,7 +45,7 @@ def other_setting(settings: Dict[str, Any], place: Place) -> None:
 
 
 def other_setting_later(settings: Dict[str, Any], place: Place) -> None:
-    """The dataset is complete."""
+    """Another setting once the dataset is complete."""
     require(place.run().code == 0, 'an unbroken run fails')
     refuse(place, settings, next(iter(settings)))
     place.require_right()

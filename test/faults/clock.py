@@ -8,7 +8,7 @@ from typing import List
 from trial import Fault, Place, Skipped, require
 
 SOURCE = pathlib.Path(__file__).with_name('clock_set_back.c')
-AFTER = [0, 1, 2, 5, 10, 20, 50, 100]  # questions for the time
+AFTER = [0, 1, 2, 5, 10, 20, 50, 100]  # calls that read the time
 
 
 def preload(place: Place) -> pathlib.Path:
@@ -31,7 +31,7 @@ def set_back(after: int, place: Place) -> None:
 
 
 def set_back_before_resuming(after: int, place: Place) -> None:
-    """To a time before that of the files that are there."""
+    """The clock is then earlier than the files that are there."""
     place.kill_in_the_middle(after % 7)
     set_back(0, place)
 

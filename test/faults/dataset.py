@@ -1,4 +1,4 @@
-"""What is in a dataset's folder, read without the code under test."""
+"""The contents of a dataset's folder, read without the code under test."""
 import hashlib
 import os
 import pathlib
@@ -13,7 +13,7 @@ class File(NamedTuple):
 
     digest: str
     mode: int
-    links: int  # how many names it has
+    links: int  # number of hard links
 
 
 Snapshot = Dict[str, File]  # by path relative to the folder; folders have an empty digest
@@ -30,7 +30,7 @@ def read_file(path: pathlib.Path) -> File:
 
 
 def snapshot(folder: pathlib.Path) -> Snapshot:
-    """Every file and folder below it, hidden ones too; empty where it is not there."""
+    """Every file and folder below a folder, hidden ones too; empty if there is no such folder."""
     return {str(path.relative_to(folder)): read_file(path) for path in folder.rglob('*')}
 
 
@@ -62,10 +62,10 @@ def half_written(found: Snapshot, expected: Snapshot) -> List[str]:
 
 
 class Listed(NamedTuple):
-    """The scenes that count, by a manifest, and their files."""
+    """The scenes that count according to a manifest, and their files."""
 
     state: str                       # of the run
-    files: Dict[int, Set[str]]       # of each scene: paths relative to the manifest's folder
+    files: Dict[int, Set[str]]       # by scene: paths relative to the manifest's folder
     complete: Set[int]               # scenes that are safe from a power cut
 
 
@@ -86,7 +86,7 @@ def listed_scenes(manifest: pathlib.Path) -> Listed:
 
 def _listed_scenes(database: sqlite3.Connection) -> Listed:
     if database.execute('SELECT 1 FROM sqlite_master').fetchone() is None:
-        return Listed('', {}, set())  # it has not been filled yet
+        return Listed('', {}, set())  # the manifest has no tables yet
     state = database.execute("SELECT value FROM run WHERE key = 'state'").fetchone()[0]
     scenes = database.execute('SELECT "index", state FROM scene').fetchall()
     files: Dict[int, Set[str]] = {
@@ -99,7 +99,7 @@ def _listed_scenes(database: sqlite3.Connection) -> Listed:
 
 
 def lost_scenes(listed: Listed, found: Snapshot, expected: Snapshot) -> List[int]:
-    """Listed scenes of which a file is not there as an unbroken run has it."""
+    """Listed scenes with a file that is missing or differs from that of an unbroken run."""
     def is_whole(path: str) -> bool:
         return path in found and path in expected and found[path].digest == expected[path].digest
     return [scene for scene, paths in sorted(listed.files.items())

@@ -1,6 +1,6 @@
-"""Kills and failing disks at exact places: at the n-th call of the system that writes.
+"""Kills and failing disks at exact places: at the n-th system call that writes.
 
-strace stops the program at the call, and lets it be killed there, or the call fail."""
+strace stops the program at the call, and kills it there or makes the call fail."""
 import functools
 import shutil
 import subprocess
@@ -9,14 +9,14 @@ from typing import Dict, List, Sequence, Tuple
 
 from trial import Failed, Fault, Finished, Place, Skipped, require, scaled
 
-# What changes files, by how many places are tried at usual counts.
+# Calls that change files, and the usual number of places that are tried for each.
 WRITING = {'pwrite64': 18, 'rename': 8, 'link': 3, 'unlink': 10, 'write': 6, 'mkdir': 4,
            'fdatasync': 6, 'fsync': 2, 'syncfs': 3, 'ftruncate': 3, 'flock': 1, 'close': 6}
 FAILING = {'pwrite64': ('EIO', 'ENOSPC'), 'write': ('ENOSPC', 'EIO', 'EDQUOT'),
            'rename': ('EIO', 'EDQUOT'), 'link': ('EMLINK', 'EPERM'), 'fdatasync': ('EIO',),
            'syncfs': ('EIO',), 'openat': ('EMFILE', 'ENOMEM'), 'ftruncate': ('EIO',),
            'mkdir': ('ENOSPC', 'EDQUOT'), 'close': ('EIO', 'EDQUOT')}
-# A call that fails without harm: links become copies.
+# A call whose failure does no harm: links become copies.
 HARMLESS = ('link',)
 PLACES_OF_A_FAILURE = 4
 NOT_LOADED = 127  # the dynamic loader cannot open a library
@@ -38,7 +38,7 @@ def strace(place: Place, *options: str) -> List[str]:
 
 
 def count_calls(place: Place) -> Dict[str, int]:
-    """How often an unbroken run makes each call."""
+    """The number of times that an unbroken run makes each call."""
     with _counting:
         if not _counts:
             names = sorted({*WRITING, *FAILING})
@@ -51,7 +51,7 @@ def count_calls(place: Place) -> Dict[str, int]:
 
 
 def places(count: int, wanted: int) -> List[int]:
-    """The first and the last ones, where a run begins and ends, and some between."""
+    """The first and the last calls, where a run begins and ends, and some in between."""
     if count <= wanted:
         return list(range(1, count + 1))
     edge = wanted // 3
@@ -61,7 +61,7 @@ def places(count: int, wanted: int) -> List[int]:
 
 
 def nth(place: Place, call: str, number: int, wanted: int) -> int:
-    """The place of the trial `number`; there may be fewer places than are wanted."""
+    """The place for the trial `number`; there may be fewer places than are wanted."""
     found = places(count_calls(place)[call], wanted)
     if not found:
         raise Skipped(f'{call} is never called')
@@ -72,7 +72,7 @@ def kill_at(call: str, number: int, wanted: int, place: Place) -> None:
     at = nth(place, call, number, wanted)
     before = strace(place, '-e', f'trace={call}', '-e', f'inject={call}:signal=SIGKILL:when={at}')
     finished = place.run(before=before)
-    # Threads make counts differ by a few, so the last place may lie past the end.
+    # With threads, counts differ by a few, so the last place may be past the end.
     require(finished.code == 0 or finished.died, f'exits with {finished.code}:\n{finished.log}')
     try:
         place.look_for_losses()
@@ -87,7 +87,7 @@ def fail_at(call: str, error: str, number: int, ever_after: bool, place: Place) 
     before = strace(place, '-e', f'trace={call}', '-e', f'inject={call}:error={error}:when={when}')
     finished = place.run(before=before)
     try:
-        # Messages cannot be written either then.
+        # If all later writes fail, messages cannot be written either.
         check_failure(place, call, finished, says_so=not (call == 'write' and ever_after))
     except Failed as failure:
         raise Failed(f'{call} number {when} fails with {error}: {failure}') from None

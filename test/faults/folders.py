@@ -1,4 +1,4 @@
-"""Folders that cannot be written, or that go while a run writes into them."""
+"""Folders that cannot be written, or that disappear while a run writes into them."""
 import contextlib
 import functools
 import os
@@ -15,7 +15,7 @@ TRIALS = 6
 
 
 def without_privileges() -> List[str]:
-    """Starts a program to which permissions apply, also as root."""
+    """The command before a program to which permissions apply even if root starts it."""
     if os.geteuid() != 0:
         return []
     return ['setpriv', '--inh-caps=-all', '--bounding-set=-all']
@@ -23,7 +23,7 @@ def without_privileges() -> List[str]:
 
 @contextlib.contextmanager
 def closed(folder: pathlib.Path) -> Iterator[None]:
-    """Nothing can be made or removed in the folder meanwhile."""
+    """Meanwhile, nothing can be created or removed in the folder."""
     mode = folder.stat().st_mode
     folder.chmod(0o555)
     try:
@@ -90,11 +90,11 @@ def read_only_disk(place: Place) -> None:
 
 
 def gone(inner: str, number: int, place: Place) -> None:
-    """The user removes or moves it; what was in it is lost by that, and nothing else."""
+    """The user removes or moves a folder; only what was in it is lost."""
     victim = place.output / inner
     process = place.start()
     wait_for(lambda: place.has_scene(number), process)
-    # Renamed first: a folder that is written into cannot be emptied.
+    # Renamed first, as a folder into which a run still writes cannot be emptied.
     elsewhere = place.folder / 'elsewhere'
     shutil.rmtree(elsewhere, ignore_errors=True)
     victim.rename(elsewhere)
@@ -123,7 +123,7 @@ def becomes_a_file(number: int, place: Place) -> None:
     again = place.run()
     place.require_refusal(again, str(place.output))
     place.output.unlink()
-    # Where it was moved to, all is as it was.
+    # The dataset that was moved away is unchanged.
     elsewhere.rename(place.output)
     place.look_for_losses()
     place.resume()

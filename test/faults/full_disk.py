@@ -16,7 +16,7 @@ REASONS = ('No space left on device', 'disk is full')
 
 @contextlib.contextmanager
 def disk(place: Place, size: str, folder: Optional[pathlib.Path] = None) -> Iterator[None]:
-    """`folder`, else the dataset's, is a disk of its own meanwhile."""
+    """Meanwhile, `folder`, by default the dataset's, is a disk of its own."""
     if os.geteuid() != 0:
         raise Skipped('only root may mount a disk, and there are no user namespaces')
     target = folder or place.output
@@ -49,7 +49,7 @@ def fill(size: str, place: Place) -> None:
 
 
 def pages_needed(place: Place) -> int:
-    """Of a complete dataset; while it is made there is SQLite's log as well."""
+    """The pages of a complete dataset; while it is made, there is SQLite's log as well."""
     sizes: List[int] = []
     for path in place.output.rglob('*'):
         status = path.stat()
@@ -63,7 +63,7 @@ def fill_at(number: int, count: int, place: Place) -> None:
     require(finished.code == 0, finished.log)
     pages = pages_needed(place)
     place.clear()
-    # The least is one page: a size of 0 means no limit. The largest lacks a page at the end.
+    # The smallest is one page, as a size of 0 means no limit. The largest is a page too small.
     fill(str(PAGE * (1 + (pages - 2) * number // max(1, count - 1))), place)
 
 

@@ -1,4 +1,4 @@
-"""Inputs that are made to end, to fill or to hold up the program: each is refused, or does no harm, in little time."""
+"""Inputs made to crash, fill up or hold up the program: each is refused, or does no harm, in little time."""
 import functools
 import json
 import time

@@ -12,8 +12,8 @@ START = 1000  # [s] since the epoch
 NANOSECONDS = 10 ** 9
 CHUNK = 2048  # [bytes]: small, so that a short recording has many
 
-# Things lie in each other's way: `alpha` pushes the ball and topples the post, so a scene's
-# picture hangs on all times before it; nothing holds `stray`, of whose fall scenes warn.
+# Things are in each other's way: `alpha` pushes the ball and topples the post, so a scene's
+# picture depends on all times before it; nothing holds `stray`, and scenes warn that it falls.
 WORLD = '''<sdf version="1.6"><world name="tiny">
 <light name="sun" type="directional"><cast_shadows>true</cast_shadows>
   <direction>0.3 0.4 -1</direction><diffuse>0.8 0.8 0.8 1</diffuse></light>
@@ -42,7 +42,7 @@ WORLD = '''<sdf version="1.6"><world name="tiny">
 %s</world></sdf>
 '''
 
-# Its box spans its bounding shape: 0.4 m wide, from the ground up.
+# The box spans the bounding shape: 0.4 m wide, from the ground up.
 MODEL = '''<model name="%s"><link name="body"><pose>0 0 0.2 0 0 0</pose>
   <collision name="c"><geometry><box><size>0.4 0.4 0.4</size></box></geometry></collision>
   <visual name="v"><geometry><box><size>0.4 0.4 0.4</size></box></geometry>
@@ -53,9 +53,9 @@ COLOURS = {'alpha': '0.9 0.2 0.1', 'bravo': '0.1 0.3 0.9'}
 
 
 class Size(NamedTuple):
-    """How large a job is."""
+    """The size of a job."""
 
-    instants: int        # times of which scenes are made
+    instants: int        # times for which scenes are made
     rate: float          # of these [Hz]
     width: int           # of a picture [px]
     height: int          # [px]
@@ -105,8 +105,8 @@ def object_settings(name: str) -> Dict[str, Any]:
 
 
 def settings(inputs: pathlib.Path, size: Size) -> Dict[str, Any]:
-    """Noise, splits and physics: all that hangs on the seed or on earlier times is in it."""
-    # Before the objects and above the ground, looking along the global +x.
+    """Noise, splits and physics: all that depends on the seed or on earlier times."""
+    # In front of the objects and above the ground, looking along the global +x.
     upright = [-0.5, 0.5, -0.5, 0.5]
     camera = {'info_file': str(inputs / 'camera.yaml'),
               'effects': {'noise_stddev': 0.01, 'full_well': 10000}}

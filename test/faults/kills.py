@@ -14,7 +14,7 @@ SHORTEST = 0.001  # [s]
 
 
 class Phases:
-    """When what happens in an unbroken run, by the files that appear."""
+    """The phases of a run, as seen from the files that appear."""
 
     @staticmethod
     def never(_: Place) -> bool:
@@ -29,8 +29,8 @@ class Phases:
         return place.has_scene(job.SMALL.instants - 1)
 
 
-# After what, and for which share of an unbroken run's time a kill may wait from there on; how many
-# of ten kills.
+# The phase after which a kill comes, the longest wait from there on as a share of an unbroken
+# run's time, and how many of ten kills are of this kind.
 PHASES = [(Phases.never, 0.6, 2), (Phases.begun, 0.5, 5), (Phases.last_scene, 0.2, 3)]
 
 
@@ -40,7 +40,7 @@ def phase_of(number: int):
 
 
 def kill_once(place: Place, number: int, delay: float) -> bool:
-    """Whether the run was still there to be killed."""
+    """Whether the run was still going when it was killed."""
     after, _ = phase_of(number)
     process = place.start()
     wait_for(lambda: after(place), process)
@@ -52,7 +52,7 @@ def kill_once(place: Place, number: int, delay: float) -> bool:
 
 
 def kill_somewhere(place: Place, number: int, random) -> None:
-    """Kills a run for certain: one that has ended first is made again, and killed sooner."""
+    """Makes sure that a run is killed: if it ends first, another one is killed sooner."""
     delay = random.uniform(0.0, phase_of(number)[1]) * place.seconds
     while not kill_once(place, number, delay):
         if delay < SHORTEST:

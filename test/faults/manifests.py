@@ -15,7 +15,7 @@ CUTS = 8
 
 
 def make(place: Place, complete: bool) -> pathlib.Path:
-    """A dataset, whole or stopped in the middle; its manifest has no log beside it."""
+    """Makes a dataset, whole or stopped in the middle, whose manifest has no log beside it."""
     process = place.start()
     if not complete:
         wait_for(lambda: place.has_scene(5), process)
@@ -63,7 +63,7 @@ def link_to_itself(manifest: pathlib.Path) -> None:
 
 
 def pipe(manifest: pathlib.Path) -> None:
-    """Opening it would wait for ever."""
+    """Opening a pipe would wait forever."""
     manifest.unlink()
     os.mkfifo(manifest)
 
@@ -100,14 +100,14 @@ def require_right_or_stopped(place: Place, finished: Finished, before: dataset.S
 
 
 def without_rows(statements: List[str], place: Place) -> None:
-    """Scenes that it does not know any more are made again, or an error ends the run."""
+    """Scenes that the manifest no longer knows are made again, or an error ends the run."""
     sql(*statements)(make(place, complete=False))
     before = dataset.snapshot(place.output)
     require_right_or_stopped(place, place.run(), before)
 
 
 def flip(number: int, place: Place) -> None:
-    """What the manifest says of files may be wrong then; the files themselves never are."""
+    """With flipped bits, the manifest may be wrong about files, but the files never are."""
     random = random_of('flip', number)
     manifest = make(place, complete=number % 2 == 0)
     content = bytearray(manifest.read_bytes())
@@ -125,7 +125,7 @@ def flip(number: int, place: Place) -> None:
         require(not wrong, f'was removed: {wrong[:4]}')
     else:
         require(finished.code == 0, f'exits with {finished.code}:\n{finished.log}')
-    # Files of the dataset as a whole are made of the manifest's records, which may be wrong now.
+    # Dataset-wide files are made from the manifest's records, which may be wrong now.
     found = {path: file for path, file in dataset.snapshot(place.output).items() if path in before}
     place.half_written += dataset.half_written(found, place.reference)
 

@@ -11,7 +11,7 @@ PROCESSES = 2
 
 
 def scenes_first(number: int, place: Place) -> None:
-    """Some scenes alone, twice, before all of them."""
+    """Twice only some scenes, then all of them."""
     random = random_of('only_scenes', number)
     for _ in range(2):
         chosen = sorted(random.sample(range(job.SMALL.instants), random.randrange(1, 5)))
@@ -22,7 +22,7 @@ def scenes_first(number: int, place: Place) -> None:
 
 
 def kill_processes(number: int, place: Place) -> None:
-    """Several processes, killed together; then one process makes it, or they go on."""
+    """Several processes are killed together; then a run resumes or overwrites the dataset."""
     random = random_of('processes', number)
     several = {'processes': PROCESSES}
     process = place.start(several)
@@ -38,7 +38,7 @@ def kill_processes(number: int, place: Place) -> None:
 
 
 def kill_then_one(number: int, place: Place) -> None:
-    """Processes that are killed at their start leave nothing that a run without them keeps."""
+    """A run with a single process keeps nothing of processes that were killed at their start."""
     random = random_of('killed start', number)
     process = place.start({'processes': PROCESSES})
     time.sleep(random.uniform(0.0, 0.4) * place.seconds)

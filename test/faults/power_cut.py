@@ -1,4 +1,4 @@
-"""Power cuts, as far as a test can make them: what was not forced to the disk is lost or torn."""
+"""Power cuts, as far as a test can simulate them: data not forced to the disk is lost or torn."""
 import functools
 import pathlib
 import random as random_numbers
@@ -14,7 +14,7 @@ SQLITE_FRAME = 4096 + 24  # [bytes] of a page in the log
 
 
 def tear(file: pathlib.Path, random: random_numbers.Random) -> None:
-    """As file systems leave a file whose name was written before its content."""
+    """Leaves a file as file systems may if its name was written before its content."""
     size = file.stat().st_size
     kind = random.choice(('empty', 'shorter', 'zeros', 'missing', 'whole'))
     if kind == 'missing':
@@ -29,7 +29,7 @@ def tear(file: pathlib.Path, random: random_numbers.Random) -> None:
 
 
 def scenes_not_yet_safe(place: Place) -> Tuple[List[str], List[str]]:
-    """Files of scenes that are safe, and of those that are not."""
+    """The files of scenes that are safe, and the other files."""
     listed = dataset.listed_scenes(place.output / 'manifest.sqlite')
     safe = [path for scene in sorted(listed.complete) for path in sorted(listed.files[scene])]
     files = [str(path.relative_to(place.output)) for path in sorted(place.output.rglob('*'))
@@ -61,14 +61,14 @@ def files_torn(sync: str, number: int, place: Place) -> None:
 
 
 def log_cut_short(number: int, place: Place) -> None:
-    """The last scenes' rows are gone too; their files may be there, may be torn, or gone."""
+    """The last scenes' rows are lost too; their files may be whole, torn or missing."""
     random = random_of('log', number)
     place.kill_in_the_middle(random.randrange(2, 10))
     log = place.output / 'manifest.sqlite-wal'
     kept = random.randrange(log.stat().st_size)
     with open(log, 'r+b') as opened:
         opened.truncate(kept)
-    # The new log's index is made in memory; that of the killed run is gone with the power.
+    # The log's index is only in memory; that of the killed run is lost with the power.
     (place.output / 'manifest.sqlite-shm').unlink()
     tear_files(place, random)
     go_on(place, {})
@@ -89,7 +89,7 @@ def safe_in_this_order(place: Place) -> None:
     place.require_right()
     trace = (place.folder / 'trace').read_text(errors='replace').splitlines()
     # r: a scene's file gets its name, s: the disk is synced, m: the manifest's log is written,
-    # f: and synced.
+    # f: the log is synced.
     patterns = ((r'rename\(.*yolo/\w+/\d+\.txt"', 'r'), (r'syncfs\(', 's'),
                 (r'pwrite64\(\d+<.*-wal>', 'm'), (r'f(data)?sync\(\d+<.*-wal>', 'f'))
     order = ''.join(letter for line in trace for pattern, letter in patterns

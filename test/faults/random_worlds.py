@@ -1,4 +1,4 @@
-"""Worlds of random things, some of which fall or lie in each other's way: however they are made, the bytes are equal."""
+"""Worlds of random things, some of which fall or are in each other's way: the bytes are equal however they are made."""
 import functools
 import math
 import pathlib
@@ -17,7 +17,7 @@ PROCESSES = 2
 
 def shape(random) -> str:
     kind = random.choice(['box', 'sphere', 'cylinder', 'ellipsoid', 'capsule', 'plane'])
-    # Things of 20 m that lie in round meshes take Bullet seconds a scene, and are made no other way than small ones.
+    # Things of 20 m inside round meshes cost Bullet seconds per scene, and test nothing that small ones do not.
     largest = 20.0 if kind == 'plane' else 2.0
     size = [random.choice([0.05, 0.2, 0.5, 1e-4, largest]) * random.uniform(0.5, 1.5) for _ in range(3)]
     if kind == 'box':
@@ -53,7 +53,7 @@ def link(random, name: str) -> str:
 
 
 def model(random, name: str, depth: int) -> str:
-    """A prop: it stands, falls, or hangs on what it is joined to."""
+    """A prop that stands, falls, or hangs from what it is joined to."""
     links = [f'link{number}' for number in range(random.choice([1, 1, 2, 3]))]
     parts = [f'<model name="{name}">', pose(random, 3.0)]
     if random.random() < 0.3:

@@ -26,7 +26,7 @@ def cut(number: int, place: Place) -> None:
 
 
 def cut_in_index(number: int, place: Place) -> None:
-    """The index is the last that is written."""
+    """Cuts off the index, which is written last."""
     whole = (place.inputs / 'recording.bag').read_bytes()
     refuse(place, whole[:len(whole) - 1 - number * 7])
 
@@ -47,7 +47,7 @@ def without_messages(place: Place) -> None:
 
 
 def still_recorded(place: Place) -> None:
-    """As `rosbag record` leaves it while it runs: whole chunks, no index, another name."""
+    """The file of a running `rosbag record`: whole chunks, no index, another name."""
     path = place.inputs / 'part.bag'
     source = rosbag.Bag(str(place.inputs / 'recording.bag'))
     recorder = rosbag.Bag(str(path), 'w', chunk_threshold=2048)

@@ -32,18 +32,18 @@ MEMORY = '/dev/shm'
 
 
 class Row(NamedTuple):
-    """What came of a fault."""
+    """The results of a fault."""
 
     fault: trial.Fault
     trials: int
     lost: List[str]
     half_written: List[str]
     failures: List[str]
-    skipped: str  # why; empty where it was not
+    skipped: str  # the reason; empty if it was not skipped
 
 
 class Outcome(NamedTuple):
-    """What came of a trial."""
+    """The result of a trial."""
 
     lost: List[str]
     half_written: List[str]
@@ -61,7 +61,7 @@ def one_trial(do: trial.Trial, places: 'queue.Queue[trial.Place]') -> Outcome:
         skipped = str(reason)
     except trial.Failed as error:
         failure = str(error)
-    except Exception:  # of the test itself: it counts as failed, and the other trials go on
+    except Exception:  # an error of the test itself: this trial fails, the others go on
         failure = traceback.format_exc()
     outcome = Outcome(list(place.scene_lost), list(place.half_written), failure, skipped)
     places.put(place)
@@ -115,7 +115,7 @@ def table(rows: List[Row]) -> str:
 
 
 def write_table(path: pathlib.Path, rows: List[Row]) -> None:
-    """Between the page's two marks."""
+    """Writes the table between the page's two marks."""
     begin, end = '<!-- begin of the table -->\n', '<!-- end of the table -->\n'
     text = path.read_text(encoding='utf-8')
     changed, count = re.subn(f'(?s){begin}.*{end}', lambda _: begin + table(rows) + end, text)
@@ -135,14 +135,14 @@ def arguments() -> argparse.Namespace:
 
 
 def in_memory() -> Optional[str]:
-    """A disk in memory: on another, each run would wait for what all other programs write, too."""
+    """A disk in memory: on a real one, each run would also wait for what other programs write."""
     return MEMORY if os.access(MEMORY, os.W_OK) and 'TMPDIR' not in os.environ else None
 
 
 def main() -> int:
     options = arguments()
     trial.use_seed(options.seed)
-    # Who runs this in the background may ignore them, and programs inherit that.
+    # A background shell may ignore these signals, and programs inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)

@@ -67,7 +67,7 @@ def at_once(number: int, place: Place) -> None:
 
 
 def merge_of_half(number: int, place: Place) -> None:
-    """A shard is missing, or not complete."""
+    """Merges while a shard is missing."""
     for index in range(COUNT):
         if index != number % COUNT:
             require(place.run(shard(index)).code == 0, 'a shard fails')

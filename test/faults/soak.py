@@ -18,20 +18,20 @@ import yaml
 
 import job
 
-SETTLED = 1000       # scenes, after which a run has all that it needs
-GROWTH = 1.05        # of memory, at which the test fails
+SETTLED = 1000       # scenes, after which a run has allocated all that it needs
+GROWTH = 1.05        # of memory, above which the test fails
 RATE = 100.0         # scenes a second of the recording
-MEASURED = 0.9       # of the run, at least
+MEASURED = 0.9       # least share of the run
 POLL = 0.05          # [s]
-WINDOW = 20          # measures: the least of them has no descriptor that is open for a moment
-TOLD = 10            # lines of measures between the first scenes and the last
+WINDOW = 20          # measures: their minimum has no descriptors that are open only briefly
+TOLD = 10            # printed measures between the first scenes and the last
 SIZE = job.Size(instants=0, rate=RATE, width=32, height=32)
 
 
 class Measure(NamedTuple):
-    """A process at a time."""
+    """The state of a process at a time."""
 
-    scenes: int       # that it had made
+    scenes: int       # made so far
     kilobytes: int    # resident
     descriptors: int  # open
 
@@ -40,14 +40,14 @@ class Measure(NamedTuple):
 
 
 def settings(inputs: pathlib.Path) -> Dict[str, Any]:
-    """One object, one camera, two formats, and all as cheap as it may be."""
+    """One object, one camera, two formats, and everything as cheap as possible."""
     result = job.settings(inputs, SIZE)
     camera = result.pop('cameras')['front']
     del camera['effects'], result['bravo'], result['split']
     result.update(camera=camera, robot_list=['alpha'],
                   rendering={'samples': 1, 'shadow_map_size': 64, 'shadow_distance': 8.0},
                   physics={'step': 0.01},
-                  sync='off',  # waiting for a disk that others use too is not what is measured
+                  sync='off',  # waits for a shared disk are not to be measured
                   writers=[{'name': 'yolo', 'type': 'synthetic_dataset/Yolo'},
                            {'name': 'coco', 'type': 'synthetic_dataset/Coco'}])
     return {name: value for name, value in result.items() if name not in ('pvnet', 'bag')}
@@ -71,14 +71,14 @@ def measure(process: subprocess.Popen, scenes: int) -> Measure:
 
 
 def scenes_made(output: pathlib.Path, known: int) -> int:
-    """How many scenes there are, where there were so many before."""
+    """The number of scenes that are there, at least as many as `known`."""
     while (output / f'yolo/{known:08}.txt').exists():
         known += 1
     return known
 
 
 def watch(process: subprocess.Popen, output: pathlib.Path, scenes: int) -> List[Measure]:
-    """From the first 1,000 scenes until it ends."""
+    """Measures the run from the first 1,000 scenes until it ends."""
     measures: List[Measure] = []
     made = 0
     while process.poll() is None:
@@ -88,7 +88,7 @@ def watch(process: subprocess.Popen, output: pathlib.Path, scenes: int) -> List[
                 measures.append(measure(process, made))
                 tell(measures, scenes)
         except (FileNotFoundError, ProcessLookupError, StopIteration):
-            break  # it has just ended
+            break  # the run has just ended
         time.sleep(POLL)
     return measures
 

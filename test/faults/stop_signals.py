@@ -1,4 +1,4 @@
-"""SIGINT and SIGTERM: an end in good order; a second one: at once."""
+"""SIGINT and SIGTERM: an orderly end; after a second one, an immediate end."""
 import functools
 import signal
 import time
@@ -20,7 +20,7 @@ def stop(kind: signal.Signals, number: int, place: Place) -> None:
             f'exits with {finished.code} instead of {CODES[kind]}:\n{finished.log}')
     require('same command' in finished.log, f'does not say how to go on:\n{finished.log}')
     place.look_for_losses()
-    # Nothing is half done: only what is listed is there, and no scene was only begun.
+    # Nothing is half done: only listed files are there, and no scene was only begun.
     there = {path for path, file in dataset.snapshot(place.output).items() if file.digest}
     listed = {path for paths in place.listed().values() for path in paths}
     require(there - listed == {'manifest.sqlite'},
@@ -38,7 +38,7 @@ def stop_at_once(kind: signal.Signals, number: int, place: Place) -> None:
     if process.poll() is None:
         process.send_signal(kind)
     finished = place.end(process)
-    # The first one may have ended the run before the second came.
+    # The first signal may have ended the run before the second one came.
     require(finished.code in (CODES[kind], -kind),
             f'exits with {finished.code}:\n{finished.log}')
     place.look_for_losses()
@@ -51,7 +51,7 @@ def stop_while_starting(kind: signal.Signals, number: int, place: Place) -> None
     time.sleep(pause)
     process.send_signal(kind)
     finished = place.end(process)
-    # A quick run may be at its last scene by then, and is done with it.
+    # A quick run may have finished its last scene by then.
     require(finished.code in (CODES[kind], -kind, 0),
             f'exits with {finished.code}:\n{finished.log}')
     place.look_for_losses()

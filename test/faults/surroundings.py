@@ -1,4 +1,4 @@
-"""Surroundings in which programs stumble: no home, no room for temporary files, nowhere to print."""
+"""Environments in which programs stumble: no home, no room for temporary files, no output."""
 from typing import Dict, List
 
 from folders import closed, without_privileges
@@ -83,7 +83,7 @@ def redirected(how: str):
 
 
 def reader_goes(place: Place) -> None:
-    """Whoever read the messages, `head` for one, has gone."""
+    """The reader of the messages, such as `head`, has exited."""
     process = place.start()
     assert process.stdout is not None
     process.stdout.readline()
@@ -98,7 +98,7 @@ def other_language(place: Place) -> None:
 
 
 def from_nowhere(place: Place) -> None:
-    """The folder that it is started in has been removed."""
+    """The current folder has been removed."""
     script = 'mkdir gone && cd gone && rmdir ../gone && exec "$@"'
     require_success(place, before=['sh', '-c', script, 'sh'])
 

@@ -1,4 +1,4 @@
-"""One place in which faults happen to a job, and what all trials of them have in common."""
+"""A place in which faults happen to a job, and what their trials have in common."""
 import os
 import pathlib
 import random
@@ -25,12 +25,12 @@ class Skipped(Exception):
 class Finished(NamedTuple):
     """A program that has ended."""
 
-    code: int   # of its exit; negative: the signal that killed it
+    code: int   # exit code; negative: the signal that killed it
     log: str    # all that it printed
 
     @property
     def died(self) -> bool:
-        """By a signal, also as shells and wrappers tell it."""
+        """Whether a signal killed it, also as reported by shells and wrappers."""
         return self.code < 0 or self.code > 128
 
 
@@ -38,7 +38,7 @@ class Fault(NamedTuple):
     """A row of the table."""
 
     name: str
-    how: str                                    # it is made
+    how: str                                    # how the fault is made
     trials: Callable[[int], Sequence['Trial']]  # for a number of per cent of the usual count
 
 
@@ -55,10 +55,10 @@ def require(condition: bool, message: str) -> None:
 
 
 class Place:
-    """A folder with a job's inputs, and the dataset that is made of them again and again.
+    """A folder with a job's inputs, and the dataset that is made from them again and again.
 
-    Some labels name absolute paths, so all datasets that are compared stand in the same folder;
-    trials run side by side in places of their own.
+    Some labels name absolute paths, so datasets that are compared have to be in the same folder;
+    trials that run side by side have places of their own.
     """
 
     def __init__(self, folder: pathlib.Path, programs: pathlib.Path) -> None:
@@ -72,11 +72,11 @@ class Place:
         self.reference: dataset.Snapshot = {}
         self.scene_lost: List[str] = []
         self.half_written: List[str] = []
-        self.seconds = 0.0  # that an unbroken run takes
+        self.seconds = 0.0  # duration of an unbroken run
         self.clear()
 
     def make_reference(self) -> None:
-        """The unbroken run with which all is compared."""
+        """Makes the unbroken run with which all others are compared."""
         self.clear()
         begin = time.monotonic()
         finished = self.run()
@@ -85,7 +85,7 @@ class Place:
         self.reference = dataset.snapshot(self.output)
 
     def clear(self) -> None:
-        """Nothing but the inputs; nothing is lost yet."""
+        """Removes all but the inputs, and forgets all losses."""
         if self.output.is_symlink() or self.output.is_file():
             self.output.unlink()
         elif self.output.exists():
@@ -102,8 +102,8 @@ class Place:
               environment: Optional[Dict[str, str]] = None,
               program: Optional[List[str]] = None) -> 'subprocess.Popen[str]':
         """
-        :param before: a program, with arguments, that starts ours
-        :param program: instead of `generate`, with its arguments
+        :param before: a program with arguments that starts ours
+        :param program: a program with arguments in place of `generate`
         """
         command = program or self.command(settings or {})
         return subprocess.Popen([*before, *command], env=environment or self.environment,
@@ -129,7 +129,7 @@ class Place:
         return (self.output / f'yolo/high/{instant:08}.txt').exists()
 
     def kill_in_the_middle(self, instant: int, settings: Optional[Dict[str, Any]] = None) -> None:
-        """Leaves a dataset that was begun and has scenes up to some time."""
+        """Leaves an unfinished dataset with scenes up to a time."""
         process = self.start(settings)
         wait_for(lambda: self.has_scene(instant), process)
         process.kill()
@@ -140,14 +140,14 @@ class Place:
         return sorted(self.output.glob('manifest*.sqlite'))
 
     def listed(self) -> Dict[int, Set[str]]:
-        """The files of all scenes that any manifest lists."""
+        """The files of all scenes that are listed in any manifest."""
         files: Dict[int, Set[str]] = {}
         for manifest in self.manifests():
             files.update(dataset.listed_scenes(manifest).files)
         return files
 
     def look_for_losses(self) -> None:
-        """After a fault: is all whole that has its name, or that a manifest lists?"""
+        """After a fault, checks that all is whole that has its final name or is listed."""
         found = dataset.snapshot(self.output)
         self.half_written += dataset.half_written(found, self.reference)
         for manifest in self.manifests():
@@ -155,12 +155,12 @@ class Place:
             self.scene_lost += [f'{manifest.name}: scene {scene}' for scene in lost]
 
     def require_right(self) -> None:
-        """The dataset has the bytes of an unbroken run's, and nothing beside them."""
+        """Requires the bytes of an unbroken run's dataset, and no other files."""
         wrong = dataset.differences(dataset.snapshot(self.output), self.reference)
         require(not wrong, 'the dataset differs from an unbroken run\'s: ' + '; '.join(wrong[:8]))
 
     def resume(self, settings: Optional[Dict[str, Any]] = None) -> None:
-        """The same command again; what was listed stays, and the dataset is as it should be."""
+        """Repeats the command: listed files stay, and the dataset becomes right."""
         before = {path: (self.output / path).lstat().st_ino
                   for paths in self.listed().values() for path in paths}
         finished = self.run(settings)
@@ -171,7 +171,7 @@ class Place:
         require(not again, f'made again although it was whole: {again[:4]}')
 
     def require_refusal(self, finished: Finished, *words: str) -> None:
-        """An exit code of 1, and a message with all of these words in it."""
+        """Requires an exit code of 1, and a message with all of these words."""
         require(finished.code == 1, f'exits with {finished.code} instead of 1:\n{finished.log}')
         for word in words:
             require(word in finished.log, f'does not say "{word}":\n{finished.log}')
@@ -181,17 +181,17 @@ _seed: List[str] = []
 
 
 def use_seed(seed: str) -> None:
-    """Has all trials draw other numbers; an empty one changes nothing."""
+    """Makes all trials draw other numbers; an empty seed changes nothing."""
     _seed[:] = [seed] if seed else []
 
 
 def random_of(*names: Any) -> random.Random:
-    """The same numbers for the same trial and seed each time."""
+    """Random numbers that are always the same for the same trial and seed."""
     return random.Random('/'.join(map(str, [*_seed, *names])))
 
 
 def wait_for(condition: Callable[[], bool], process: 'subprocess.Popen[str]') -> None:
-    """Until it holds, or the process has ended."""
+    """Waits until the condition holds or the process has ended."""
     deadline = time.monotonic() + TIMEOUT
     while not condition() and process.poll() is None and time.monotonic() < deadline:
         time.sleep(POLL)

@@ -1,4 +1,4 @@
-"""Twin datasets, of recorded pictures and of drawn ones, that are made by one command and broken off."""
+"""Twin datasets, of recorded and of drawn pictures, that are made by one command and interrupted."""
 import functools
 import pathlib
 import signal
@@ -21,7 +21,7 @@ ENDED = (0, 130, -signal.SIGINT, -signal.SIGKILL)
 
 
 def write_pictures(path: pathlib.Path) -> None:
-    """A camera's recorded pictures, one for each scene: a ramp that moves."""
+    """Writes a camera's recorded pictures, one for each scene: a ramp that moves."""
     with rosbag.Bag(str(path), 'w') as bag:
         for instant in range(job.SMALL.instants):
             picture = Image()
@@ -79,7 +79,7 @@ class Twins:
 
 
 def break_off(number: int, place: Place) -> None:
-    """By kill -9 or Ctrl-C at random moments."""
+    """Interrupts runs by kill -9 or Ctrl-C at random moments."""
     random = random_of('twins', number)
     twins = Twins(place)
     for _ in range(2):
@@ -92,7 +92,7 @@ def break_off(number: int, place: Place) -> None:
 
 
 def one_is_whole(number: int, place: Place) -> None:
-    """One twin is whole; the other has some scenes, or is not there."""
+    """One twin is complete; the other has some scenes, or is missing."""
     random = random_of('half of twins', number)
     twins = Twins(place)
     whole, other = random.sample(['real', 'synthetic'], 2)

@@ -11,7 +11,7 @@ TRIALS = 20
 def require_one_refused(place: Place, first: Finished, second: Finished) -> None:
     codes = sorted((first.code, second.code))
     if codes == [0, 0] and 'complete already' in first.log + second.log:
-        place.require_right()  # on a busy machine the one had come to its end when the other began
+        place.require_right()  # on a busy machine, one run had ended when the other began
         return
     require(codes == [0, 1], f'exit codes {codes}:\n{first.log}\n{second.log}')
     refused = first if first.code == 1 else second
@@ -32,7 +32,7 @@ def later(number: int, place: Place) -> None:
     first = place.start()
     wait_for(lambda: place.has_scene(number % 6), first)
     second = place.end(place.start())
-    # The first may be done before the second looks.
+    # The first run may be done before the second one checks.
     first_end = place.end(first)
     if second.code != 0:
         require_one_refused(place, first_end, second)

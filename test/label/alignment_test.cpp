@@ -14,7 +14,7 @@ cv::Mat picture() {
   return image;
 }
 
-/// The square's mask, so far to the right.
+/// The square's mask, shifted to the right [px].
 Mask square(int right) {
   cv::Mat mask(80, 120, CV_8UC1, cv::Scalar(0));
   mask(cv::Rect(40 + right, 20, 30, 30)).setTo(255);
@@ -29,7 +29,7 @@ TEST(Alignment, FallsWithTheDistanceFromTheEdges) {
   EXPECT_LT(scoreOf(square(1)), 0.95);
   EXPECT_LT(scoreOf(square(2)), scoreOf(square(1)));
   EXPECT_LT(scoreOf(square(4)), scoreOf(square(2)));
-  // Of four sides, two still lie on the square's, but for what is past its corner.
+  // Two of the four sides still lie on the square's, except for the part past its corner.
   EXPECT_NEAR(scoreOf(square(5)), 0.5, 0.1);
 }
 

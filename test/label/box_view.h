@@ -18,15 +18,15 @@ struct SeenBox {
   int id = 0;
 };
 
-/// What each pixel's centre sees of some boxes.
+/// Boxes as seen at each pixel's centre.
 struct BoxView {
   cv::Mat ids;    ///< CV_32SC1
-  cv::Mat links;  ///< CV_32SC1: the box's place from 1
+  cv::Mat links;  ///< CV_32SC1: the box's index, counted from 1; 0 for none
   cv::Mat depth;  ///< CV_32FC1
   cv::Mat range;  ///< CV_32FC1
 };
 
-/// How far along a ray from the camera the box begins (the slab method); nothing is infinity.
+/// The distance along a ray from the camera to the box (slab method); infinity if it misses.
 [[nodiscard]] inline double distanceTo(const SeenBox& box, const Eigen::Vector3d& ray_C) {
   const Pose X_BC = box.X_CB.inverse();
   double from = 0.0;

@@ -29,7 +29,7 @@ SeenBox cornerOn(const Pose& X_CB = Pose::Identity()) {
   return {X_CB * pose({0.1, -0.1, 3}, turned), {0.8, 0.9, 1.0}, kOwn};
 }
 
-/// The state of a keypoint in the frame of the first of some boxes.
+/// The state of a keypoint of the first box, given in that box's frame.
 KeypointState stateOf(const Eigen::Vector3d& p_B, const std::vector<SeenBox>& boxes,
                       const CameraModel& camera = kCamera) {
   const BoxView seen = test::look(camera, boxes);
@@ -114,8 +114,8 @@ TEST(KeypointStates, AThinPoleInFrontHides) {
 }
 
 TEST(KeypointStates, OneBehindAStripOfItsOwnObjectIsHidden) {
-  // One plate of the object before another, which shows a strip of a pixel beside it: the step from
-  // plate to plate is no slope.
+  // Two plates of the object: beside the front one, a strip of the back one shows that is one
+  // pixel wide. The step from plate to plate is not a slope.
   const auto plate = [](double z, double right_edge) {
     const double right = (right_edge - 160.4) / 260.0 * z;
     return SeenBox{pose({right - 0.5, 0, z}), {1, 1, 1e-3}, kOwn};
@@ -150,8 +150,8 @@ TEST(KeypointStates, OneOnSteepGroundIsSeen) {
 }
 
 TEST(KeypointStates, OneBehindASlantedWallIsHidden) {
-  // The wall is nearly edge on: within a pixel its distance changes by more than what the keypoint
-  // is behind it.
+  // The wall is nearly edge on: within a pixel its distance changes by more than the keypoint's
+  // distance behind it.
   const Eigen::Quaterniond slant(Eigen::AngleAxisd(1.45, Eigen::Vector3d::UnitY()));
   for (const int id : {kAnother, 0}) {
     const SeenBox wall{pose({0.0, 0.0, 12.0}, slant), {60.0, 40.0, 0.02}, id};
@@ -161,7 +161,7 @@ TEST(KeypointStates, OneBehindASlantedWallIsHidden) {
       const double to_wall = test::distanceTo(wall, ray.normalized());
       if (!std::isfinite(to_wall) || to_wall > 40.0) continue;
       for (const double behind : {0.1, 0.44}) {
-        // So small that nothing of it stands out of the wall.
+        // So small that no part of it sticks out of the wall.
         const SeenBox box{
             pose(ray.normalized() * (to_wall + behind + 0.005)), {0.01, 0.01, 0.01}, kOwn};
         const Eigen::Vector3d p_B = box.X_CB.inverse() * (ray.normalized() * (to_wall + behind));

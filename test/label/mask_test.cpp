@@ -25,7 +25,7 @@ TEST(CleanMask, TakesShadowForBackground) {
 TEST(CleanMask, FillsSmallHolesAndKeepsLargeOnes) {
   cv::Mat raw = disc();
   raw(cv::Rect(35, 28, 4, 4)) = 0;  // 16 pixels
-  raw(cv::Rect(44, 26, 6, 6)) = 0;  // 36 pixels: one can see through there
+  raw(cv::Rect(44, 26, 6, 6)) = 0;  // 36 pixels: a real hole
   cv::Mat expected = disc();
   expected(cv::Rect(44, 26, 6, 6)) = 0;
   EXPECT_TRUE(same(cleanMask(raw), expected));

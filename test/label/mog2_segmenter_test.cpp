@@ -52,7 +52,7 @@ TEST(Mog2Segmenter, ForgetsTheOldBackgroundWhenTrainedAnew) {
 }
 
 TEST(Mog2Segmenter, JudgesRegionsAsItWouldTheWholePicture) {
-  // Noise on top of a ramp, larger than a few tiles, against OpenCV's own view of all of it.
+  // Noise, larger than a few tiles, compared with what OpenCV finds in the whole picture.
   cv::Mat background(150, 333, CV_8UC3);
   cv::Mat image(background.size(), CV_8UC3);
   cv::RNG random(7);

@@ -7,7 +7,7 @@ namespace occlusion_test {
 
 constexpr OcclusionMargin kMargin{0.1, 0.02};
 
-/// One row: what the world has, and what was measured.
+/// A picture of one row, with the world's depths or the measured ones.
 cv::Mat row(const std::vector<float>& values) { return cv::Mat(values, true).reshape(1, 1); }
 
 std::vector<int> covered(const std::vector<float>& known, const std::vector<float>& measured) {

@@ -24,7 +24,7 @@ Pose pose(const Eigen::Vector3d& p, const Eigen::Vector3d& axis = Eigen::Vector3
   return makePose(p, Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized())));
 }
 
-/// Two boxes before the camera and a wall behind them, all moving, as is the camera.
+/// Two boxes in front of the camera and a wall behind them; they and the camera all move.
 struct MovingScene {
   std::vector<Pose> X_WL = {pose({-0.4, 0.1, 2.0}, {1, 2, 0}, 0.5),
                             pose({0.5, 0, 2.5}, {0, 1, 1}, 0.3), pose({0, 0, 4})};
@@ -98,7 +98,7 @@ TEST_P(OpticalFlow, IsWhereProjectPointsPutsTheMovedPoints) {
   const cv::Mat flow = opticalFlow(camera, seen.depth, seen.range, seen.links, now.X_WC, now.X_WL,
                                    camera, next.X_WC, next.X_WL);
 
-  // The other way round: a point known on a box in the box's own frame, seen in both pictures.
+  // The other way round: a point that is fixed in a box's frame is projected into both pictures.
   int compared = 0;
   for (int v = 2; v < 120; v += 5) {
     for (int u = 2; u < 160; u += 5) {
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Lenses, OpticalFlow, ::testing::Bool(),
                          [](const auto& each) { return each.param ? "plumb_bob" : "pinhole"; });
 
 TEST(OpticalFlowOfAMovingCamera, SpreadsFromWhereItGoes) {
-  // Towards a wall 2 m ahead, by 0.5 m: all moves outwards by a third.
+  // Towards a wall 2 m ahead, by 0.5 m: all pixels move outwards by a third.
   const std::vector<Pose> X_WL = {pose({0, 0, 2.5})};
   const BoxView seen = test::look(kCamera, {{X_WL[0], {40, 40, 1}, 0}});
 
@@ -158,7 +158,7 @@ TEST(OpticalFlowOfAMovingCamera, SpreadsFromWhereItGoes) {
 }
 
 TEST(OpticalFlowOfAZoomingCamera, SpreadsAsItsFieldOfViewNarrows) {
-  const CameraModel zoomed(160, 120, {195.0, 196.5, 80.2, 59.6}, 0.05, 100.0);  // half as much more
+  const CameraModel zoomed(160, 120, {195.0, 196.5, 80.2, 59.6}, 0.05, 100.0);  // f x 1.5
   const std::vector<Pose> X_WL = {pose({0, 0, 2.5})};
   const BoxView seen = test::look(kCamera, {{X_WL[0], {40, 40, 1}, 0}});
 
@@ -172,7 +172,7 @@ TEST(OpticalFlowOfAZoomingCamera, SpreadsAsItsFieldOfViewNarrows) {
 }
 
 TEST(OpticalFlowOfAFisheye, HoldsBesideAndBehindTheCamera) {
-  // A camera in a large box that turns about its own axis by one degree.
+  // In a large box, a camera that turns about its own axis by one degree.
   constexpr double kTurn = 0.0174532925;
   const std::vector<Pose> X_WL = {Pose::Identity()};
   cv::Mat range(150, 150, CV_32FC1, cv::Scalar(3.0));
@@ -193,7 +193,7 @@ TEST(OpticalFlowOfAFisheye, HoldsBesideAndBehindTheCamera) {
       }
       if (ray->z() < 0.0) ++behind;
       if (std::isnan(found[0])) continue;  // by the rim
-      // About (cx, cy), against the camera's turn; fx and fy differ a little.
+      // A turn about (cx, cy), opposite to the camera's; fx and fy differ a little.
       EXPECT_NEAR(static_cast<double>(found[0]), kTurn * (v - 75.1), 0.02);
       EXPECT_NEAR(static_cast<double>(found[1]), -kTurn * (u - 74.8), 0.02);
     }

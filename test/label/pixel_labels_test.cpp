@@ -22,7 +22,7 @@ class PixelLabels : public testing::Test {
  protected:
   static void SetUpTestSuite() { test::preparePluginEnvironment(); }
 
-  /// @param change  to the settings
+  /// @param change  settings to replace
   void place(const Pose& X_GA, const Pose& X_GB, const Value::Map& change = {}) {
     test::BagBuilder(run_.folder() / "placed.bag")
         .move("map", "alpha/base_link", test::milliseconds(1000), X_GA)
@@ -90,7 +90,7 @@ Requirements everything() {
 
 Value methodOf(const char* method) { return Value(Value::Map{{"method", Value(method)}}); }
 
-constexpr double kAxis = 0.2;  // the camera's y, along which it looks
+constexpr double kAxis = 0.2;  // the y of the camera's optical axis
 
 TEST_F(PixelLabels, AnObjectInTheOpenIsAllVisible) {
   place(test::poseAt(0, kAxis, 0), test::poseAt(0, 5, 0));
@@ -231,7 +231,7 @@ TEST_F(PixelLabels, SubtractionIsLayeredLikeTheExactMasks) {
     const cv::Mat a = exact.objects[i].visible_mask().whole();
     const cv::Mat b = found.objects[i].visible_mask().whole();
     EXPECT_GT(cv::countNonZero(a & b), 0.9 * cv::countNonZero(a | b)) << i;
-    // Measures are exact with both.
+    // The measures are exact with either kind of mask.
     EXPECT_EQ(found.objects[i].pixels.visible(), exact.objects[i].pixels.visible());
     EXPECT_EQ(found.objects[i].visibility(), exact.objects[i].visibility());
   }
@@ -287,7 +287,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
 TEST_F(PixelLabels, ThresholdsDropWhatIsHardlyVisible) {
   place(test::poseAt(0, kAxis, 0.1), test::poseAt(1.0, kAxis - 0.27, 0),
         {{"labels", Value(Value::Map{{"min_visibility", Value(0.75)}})}});
-  // Nobody asks for visibility but the threshold.
+  // Only the threshold needs visibility.
   const Scene scene = sceneWith({});
   EXPECT_FALSE(scene.objects[0].dropped);
   EXPECT_TRUE(scene.objects[1].dropped);

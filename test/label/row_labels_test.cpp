@@ -1,4 +1,4 @@
-/// Where pictures whose rows are taken one after the other have the points of bodies.
+/// Where points of bodies appear in pictures whose rows are taken one after the other.
 
 #include "label/row_labels.h"
 
@@ -18,7 +18,7 @@ Pose pose(const Eigen::Vector3d& p, double angle = 0.0) {
       p, Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized())));
 }
 
-/// A camera that rides and turns, and a body that flies past it.
+/// A camera that moves and turns, and a body that flies past it.
 render::RollingView flyBy(const CameraModel& camera, double speed) {
   render::RollingView view{camera, {}, 12};
   for (int i = 0; i <= 12; ++i) {

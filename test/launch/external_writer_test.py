@@ -29,9 +29,9 @@ WIDTH, HEIGHT = 640, 480  # [px], of the example's camera
 
 
 def install(staging):
-    """Installs the workspace below `staging`, and answers the prefix there.
+    """Installs the workspace below `staging`, and returns the prefix there.
 
-    catkin writes the prefix that the workspace is configured for into its files: it is replaced.
+    catkin writes the configured prefix into the workspace's files, where it is replaced.
     """
     subprocess.run(['cmake', '--install', BUILD_FOLDER], env={**os.environ, 'DESTDIR': str(staging)},
                    stdout=subprocess.DEVNULL, check=True)
@@ -59,7 +59,7 @@ class InstallSpace(unittest.TestCase):
 
     @classmethod
     def run_installed(cls, *command, folder=None):
-        """Exit code and output of a command in a shell that knows the last workspace alone."""
+        """Exit code and output of a command in a shell that knows only the last workspace."""
         environ = {'HOME': str(cls.scratch), 'ROS_LOG_DIR': str(cls.scratch),
                    'PATH': '/usr/bin:/bin'}
         script = f'source {shlex.quote(str(cls.setup))}; exec "$@"'

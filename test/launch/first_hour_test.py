@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""From files to a dataset as docs/first_hour.md has it, and the programs' exit codes."""
+"""From files to a dataset as in docs/first_hour.md, and the programs' exit codes."""
 import json
 import os
 import pathlib
@@ -97,7 +97,7 @@ class FirstHour(unittest.TestCase):
         code, out, err = self.run_program('check', 'my.yaml')
         self.assertIn(code, (0, 3), out + err)
         self.assertTrue((self.scratch / 'check.png').exists(), 'beside the settings')
-        # A quarter of the scenes, as who tests has other work, too.
+        # A quarter of the scenes, to save time.
         code, out, err = self.run_program('generate', '--config', 'my.yaml', 'simulated_rate:=5')
         self.assertEqual(code, 0, out + err)
         code, out, err = self.run_program('verify', 'dataset')
@@ -155,7 +155,7 @@ world_objects: [{{class: barrel, models: "barrel_*"}}, {{class: crate, models: "
         self.assertEqual(code, 3, out + err)
         self.assertIn('odd: rover_1: seen in none of', out)
         self.assertFalse((self.scratch / 'dataset').exists())
-        # With nothing labelled, a run is done all the same, and says so.
+        # A run without any labels still succeeds, and says so.
         code, out, err = self.run_program('generate', '--config', config)
         self.assertEqual(code, 0, out + err)
         self.assertIn('done, but NOTHING is labelled', out)

@@ -17,7 +17,7 @@ import ros_programs
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = REPOSITORY / 'config' / 'example.yaml'
 
-# At 1, 2, ... 7 s of the recording: its drone is known from 0.4 s, its rovers until 7.9 s.
+# At 1, 2, ... 7 s of the recording: its drone is known from 0.4 s on, its rovers until 7.9 s.
 SCENES_AT_ONE_HERTZ = 7
 
 MISTAKES = {'worlds/example.bag': 'worlds/no_such.bag', 'var_threshold:': 'var_treshold:'}
@@ -101,7 +101,7 @@ class LaunchedInProcesses(ScratchTest):
     def test_make_the_bytes_of_one_process(self):
         self.launch(EXAMPLE)
         of_one = self.files()
-        log = self.launch(EXAMPLE, 'processes:=3')  # over the dataset that is there
+        log = self.launch(EXAMPLE, 'processes:=3')  # overwrites the dataset that is there
         self.assertIn('3 processes make a shard each', log)
         self.assertRegex(log, r'\bdone\b')
         of_three = self.files()
@@ -144,7 +144,7 @@ class LaunchedMistakes(ScratchTest):
 
 
 class ExitCode(ScratchTest):
-    """Of the node by itself: roslaunch has none to pass on."""
+    """The node's own exit code, as roslaunch does not pass it on."""
 
     def start(self, rate, change=lambda text: text):
         text = change(EXAMPLE.read_text(encoding='utf-8'))

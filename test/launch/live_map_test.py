@@ -49,7 +49,7 @@ class LiveMap(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        """A map that does not come is waited for while the other tests go on."""
+        """Waits for a map that never comes while the other tests run."""
         cls.scratch = tempfile.TemporaryDirectory(prefix='synthetic_dataset_')
         environ = ros_programs.environment(cls.scratch.name)
         cls.never_made = pathlib.Path(cls.scratch.name) / 'dataset'

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What nodes publish: `preview` what `generate` writes, at the instants that are asked for; `generate`
-how far it is."""
+"""What nodes publish: `preview` the output of `generate` at requested instants; `generate` its
+progress."""
 import json
 import os
 import pathlib
@@ -31,7 +31,7 @@ LAST = 20
 
 
 class Listener:
-    """The messages of a topic, as they come."""
+    """The messages of a topic as they arrive."""
 
     def __init__(self, topic, kind):
         self.messages = queue.Queue()
@@ -179,7 +179,7 @@ class Preview(unittest.TestCase):
         with subprocess.Popen([str(ros_programs.path_of('preview_keys'))], stdin=its_end,
                               stdout=subprocess.PIPE, env=dict(os.environ, PYTHONUNBUFFERED='1')) as keys:
             while b'standing' not in keys.stdout.read1():
-                pass  # it knows the state from there on
+                pass  # from then on it knows the state
             for key, instant in ((b'n', 1), (b'\x1b[C', 2), (b'p', 1)):
                 self.status.forget()
                 os.write(terminal, key)

@@ -15,14 +15,14 @@ def free_port():
 
 
 def path_of(program):
-    """Where one of the programs that rosrun offers is: rosrun itself needs more of the environment."""
+    """The path of a program that rosrun offers, as rosrun itself needs more of the environment."""
     found = subprocess.run(['catkin_find', '--first-only', '--libexec', 'synthetic_dataset',
                             program], stdout=subprocess.PIPE, universal_newlines=True, check=True)
     return pathlib.Path(found.stdout.strip())
 
 
 def path_of_test_program(program):
-    """Where a program of the tests is, which rosrun does not offer."""
+    """The path of a program of the tests, which rosrun does not offer."""
     return path_of('generate').parents[1] / 'synthetic_dataset_tests' / program
 
 
@@ -39,5 +39,5 @@ def output_of(command, environ):
 
 
 def launch_command(*arguments):
-    """generate.launch on a master of its own, beside the one of the test."""
+    """The command for generate.launch with its own master, beside that of the test."""
     return ['roslaunch', '-p', str(free_port()), 'synthetic_dataset', 'generate.launch', *arguments]

@@ -69,7 +69,7 @@ FILES = {
     'the global robot list': '/robot_list: [a, b]\n',
 }
 
-# What roslaunch, or the parameter server's protocol, stumbles over.
+# What roslaunch, or the parameter server's protocol, refuses.
 REFUSED_BY_BOTH = {
     'null': 'a: ~\n', 'an empty value': 'a:\nb: 1\n', 'null in a list': 'a: [1, ~]\n',
     'a number as a name': '1: 2\n', 'a truth as a name': 'yes: 2\n',
@@ -87,7 +87,7 @@ REFUSED_BY_BOTH = {
     'no word': 'a: $( )\n', 'an open quote': 'a: "x\n', 'another': "a: 'x",
 }
 
-# What roslaunch takes and the node could not have used, or not in the same way each time.
+# What roslaunch accepts, but the node could not use, or not in the same way each time.
 REFUSED_BY_US = {
     'a time': 'a: 2001-12-14t21:59:43.10-05:00\n', 'binary data': 'a: !!binary aGVsbG8=\n',
     'other global names': '/a: 1\n', 'names of other nodes': '~a: 1\n',
@@ -117,7 +117,7 @@ def read_by_roslaunch(launch_file, file):
         roslaunch.xmlloader.XmlLoader().load(str(launch_file), config, argv=[f'file:={file}'],
                                              verbose=False)
         xmlrpc.client.dumps((([parameter.value for parameter in config.params.values()]),))
-    except Exception as error:  # whatever it stumbles over
+    except Exception as error:  # whatever it refuses
         raise Refused(error) from error
     if config.config_errors:
         raise Refused(config.config_errors)
@@ -152,7 +152,7 @@ class SettingsFile(unittest.TestCase):
         return [self.with_python_floats(json.loads(line)) for line in lines]
 
     def with_python_floats(self, tree):
-        """C writes the same number in hexadecimal in another way than Python."""
+        """C and Python write the same number differently in hexadecimal."""
         if isinstance(tree, list):
             return [self.with_python_floats(entry) for entry in tree]
         if isinstance(tree, dict):

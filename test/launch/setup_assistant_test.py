@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The server of setup_assistant: who may ask, and how runs stop and go on."""
+"""The server of setup_assistant: who has access, and how runs stop and resume."""
 import hashlib
 import http.client
 import json
@@ -33,7 +33,7 @@ class Server:
         self.page, self.cookie = self._visit()
 
     def _visit(self):
-        """The page's folder, and the cookie that a browser would have."""
+        """The page's folder, and the cookie that a browser would get."""
         connection = http.client.HTTPConnection('127.0.0.1', self.port,
                                                 timeout=ros_programs.TIMEOUT)
         connection.request('GET', f'/?token={self.token}')
@@ -42,7 +42,7 @@ class Server:
         return answer.getheader('Location').rstrip('/'), answer.getheader('Set-Cookie').split(';')[0]
 
     def ask(self, path, body=None, headers=None):
-        """Status and text."""
+        """Status and text of the answer."""
         connection = http.client.HTTPConnection('127.0.0.1', self.port,
                                                 timeout=ros_programs.TIMEOUT)
         cookie = {'Cookie': self.cookie}
@@ -58,7 +58,7 @@ class Server:
         return json.loads(self.ask(path)[1])
 
     def wait_for_run(self, is_there):
-        """The run's first state of this kind; asks as often as a page would that gets no events."""
+        """The run's first state of this kind; polls as often as a page that receives no events."""
         end = time.monotonic() + ros_programs.TIMEOUT
         while time.monotonic() < end:
             state = self.get('/api/run')
@@ -82,7 +82,7 @@ class SetupAssistant(unittest.TestCase):
         self.scratch = pathlib.Path(scratch.name).resolve()
 
     def settings(self, name):
-        """The example's settings, in a folder of their own into which its dataset goes, too."""
+        """The example's settings, in their own folder, into which the dataset goes too."""
         folder = self.scratch / name
         folder.mkdir()
         text = EXAMPLE.read_text(encoding='utf-8')
@@ -97,7 +97,7 @@ class SetupAssistant(unittest.TestCase):
         return server
 
     def digests(self, folder):
-        """Of all files but the manifest, which has the time of the run."""
+        """The digests of all files but the manifest, which contains the time of the run."""
         return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
                 for path in sorted(folder.rglob('*'))
                 if path.is_file() and 'manifest' not in path.name}
@@ -117,7 +117,7 @@ class SetupAssistant(unittest.TestCase):
         self.assertEqual(server.ask('/api/state', headers=wrong)[0], 403)
         self.assertEqual(server.ask('/api/state')[0], 200)
         listening = pathlib.Path('/proc/net/tcp').read_text(encoding='ascii')
-        self.assertIn(f'0100007F:{server.port:04X} 00000000:0000 0A', listening)  # 127.0.0.1 alone
+        self.assertIn(f'0100007F:{server.port:04X} 00000000:0000 0A', listening)  # 127.0.0.1 only
         self.assertEqual(server.stop(), 0)
         again = self.serve(self.scratch / 'token' / 'settings.yaml')
         self.assertNotEqual(again.token, server.token)
@@ -145,7 +145,7 @@ class SetupAssistant(unittest.TestCase):
         server.stop(signal.SIGKILL)
 
         server = self.serve(settings)
-        state = server.wait_for_run(lambda state: not state['elsewhere'])  # it ends behind its scene
+        state = server.wait_for_run(lambda state: not state['elsewhere'])  # it ends after its scene
         self.assertEqual(state['state'], 'idle')
         before = self.digests(dataset)
         self.assertLess(len(before), len(whole))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`generate --config`, which no ROS master helps, and what signals do to it."""
+"""`generate --config`, which has no ROS master, and what signals do to it."""
 import hashlib
 import json
 import os
@@ -36,7 +36,7 @@ class Case(unittest.TestCase):
         self.dataset = self.scratch / 'dataset'
 
     def start(self, *arguments, ignored=()):
-        """`ignored` are signals that it ignores, whatever those are that this test ignores."""
+        """`ignored` are the signals that it ignores, whichever this test itself ignores."""
         def set_signals():
             for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
                 signal.signal(number, signal.SIG_IGN if number in ignored else signal.SIG_DFL)
@@ -166,7 +166,7 @@ class Signals(Case):
     def test_stop_at_once_when_there_are_two(self):
         node = self.start_example(50.0)
         self.wait_for(node, 'scene 1 of')
-        # Both arrive when it goes on, before it can have finished a scene; threads may race for them.
+        # Both arrive when it continues, before it can finish a scene; threads may race for them.
         for number in (signal.SIGSTOP, signal.SIGINT, signal.SIGTERM, signal.SIGCONT):
             node.send_signal(number)
         code, log = self.finish(node)
@@ -175,7 +175,7 @@ class Signals(Case):
         self.assertNotIn('stopped by', log)
 
     def test_stop_at_once_before_the_first_scene(self):
-        # A program that expands a model and does not end keeps the run from its first scene.
+        # A program that expands a model and never ends keeps the run from its first scene.
         xacro = self.scratch / 'xacro'
         xacro.write_text('#!/bin/sh\nexec cat "$PIPE"\n', encoding='utf-8')
         xacro.chmod(0o755)
@@ -184,7 +184,7 @@ class Signals(Case):
         model.write_text('<robot/>', encoding='utf-8')
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
             with self.subTest(number=number):
-                # Another each time: the reader before may not have ended yet.
+                # A new pipe each time, as the earlier reader may not have ended yet.
                 pipe = self.scratch / f'pipe_{number}'
                 os.mkfifo(pipe)
                 self.environ = {**self.environ, 'PATH': path, 'PIPE': str(pipe)}

@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A scanner as files for Gazebo have them: a whole turn whose first ray and last are one.
+/// A scanner as in files for Gazebo: a full turn whose first and last rays coincide.
 world::LidarSensor scan() {
   world::LidarSensor sensor;
   sensor.name = "mast::head::scan";
@@ -114,7 +114,7 @@ TEST(LidarRig, RidesOnALinkThatMoves) {
   int walls = 0;
   for (const CloudPoint& point : cloud.points) {
     if (point.instance != 0) continue;
-    // From where the box is at the point's time, what stands is where it stands.
+    // Seen from the box's pose at the point's time, the walls and floor are where they stand.
     const Stamp time = test::kSweepTime + Duration(point.time);
     const Eigen::Vector3d p_G =
         hall.boxPose(1, time) * sensor.X_LS * point.position_S.cast<double>();

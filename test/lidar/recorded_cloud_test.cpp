@@ -17,12 +17,12 @@ using std::chrono::milliseconds;
 using test::kSweepTime;
 using test::ScannedHall;
 
-// As labels of ScannedHall number what stands.
+// The number of the east wall in ScannedHall::labels().
 constexpr int kEast = 2;
 
 enum class Scanner { kDrives, kStands };
 
-/// Labels clouds that are recorded in a hall.
+/// Labels clouds recorded in a hall.
 class HallRecording {
  public:
   explicit HallRecording(int boxes, Scanner scanner = Scanner::kStands)
@@ -72,7 +72,7 @@ MeasuredCloud cloudOf(std::vector<MeasuredPoint> points) {
   return cloud;
 }
 
-/// The middle of the side of a box that the scanner sees, at a time.
+/// The centre of the +y or -y side of a box, whichever faces the scanner, at a time.
 Eigen::Vector3d sideOf(const ScannedHall& hall, int box, const Eigen::Vector3d& p_WS,
                        Duration time) {
   const Pose X_WO = hall.boxPose(box, kSweepTime + time);
@@ -113,7 +113,7 @@ TEST(RecordedCloud, OfAMovingScannerHasTheLabelsOfTheSweepThatItWas) {
     others += is_same ? 0 : 1;
   }
   EXPECT_GT(of_boxes, 500);
-  // Rays that pass within the rounding of an edge.
+  // Those are rays that pass an edge within rounding.
   EXPECT_LE(others, static_cast<int>(cast.points.size() / 2000));
   EXPECT_LE(labelled.unknown, others);
 }
@@ -125,7 +125,7 @@ TEST(RecordedCloud, IsLabelledByWhereThingsAreAtEachPointsTime) {
   MeasuredPoint point = recording.pointAt(
       sideOf(recording.hall, 0, recording.scannerAt({}).translation(), later), later);
   MeasuredPoint too_early = point;
-  too_early.time = -later;  // the box comes there 8 cm later
+  too_early.time = -later;  // the box gets there 80 ms later
   const LabelledCloud labelled = recording.label(cloudOf({point, too_early}));
   EXPECT_EQ(labelled.cloud.points[0].instance, 1);
   EXPECT_EQ(labelled.cloud.points[0].part, 2);
@@ -136,7 +136,7 @@ TEST(RecordedCloud, IsLabelledByWhereThingsAreAtEachPointsTime) {
 TEST(RecordedCloud, IsLabelledByWhatLiesAtItsRangeAndNotBefore) {
   HallRecording recording(1);
   const Eigen::Vector3d p_WS = recording.scannerAt({}).translation();
-  // Through the upper part of the box, on to where the wall is.
+  // Through the upper part of the box and on to the wall.
   const Eigen::Vector3d p_WB =
       recording.hall.boxPose(0, kSweepTime) * Eigen::Vector3d(0.0, 0.0, 0.2);
   const Eigen::Vector3d to_box = (p_WB - p_WS).normalized();
@@ -160,7 +160,7 @@ TEST(RecordedCloud, IsLabelledByWhatLiesAtItsRangeAndNotBefore) {
 
 TEST(RecordedCloud, TakesTheNearestOfSurfacesThatAreCloseTogether) {
   world::Description description;
-  // A plate of 2 cm, 4 cm before a wall, both across x.
+  // A plate of 2 cm, 4 cm in front of a wall, both perpendicular to x.
   description.models.push_back(
       test::modelOf("plate", test::boxMesh({0.02, 2, 2}),
                     makePose({4.95, 0, 0}, Eigen::Quaterniond::Identity())));

@@ -27,8 +27,8 @@ class RecordedSweepsTest : public ::testing::Test {
     lidar.recorded->topic = "/points";
   }
 
-  /// Two points, of which the last is measured at the stamp and the first 100 ms before, as
-  /// Velodyne's driver has it.
+  /// Two points, the last measured at the stamp and the first 100 ms earlier, as in the clouds of
+  /// Velodyne's driver.
   static sensor_msgs::PointCloud2 sweepUntil(std::int64_t end_ms,
                                              const std::string& frame = "velodyne") {
     return test::cloudMessage(frame, milliseconds(end_ms),

@@ -40,7 +40,7 @@ inline world::Model modelOf(const std::string& name, std::shared_ptr<const world
 /// all the time, each in its own way.
 class ScannedHall {
  public:
-  /// @param stray  how far above it something else stands [m]; 0: nothing
+  /// @param stray  height of another box above the hall's origin [m]; 0 for none
   explicit ScannedHall(int boxes, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
                        double stray = 0.0)
       : origin_(origin) {
@@ -94,7 +94,7 @@ class ScannedHall {
 
   [[nodiscard]] world::World& world() { return *world_; }
 
-  /// Poses of all links at a time, without the world.
+  /// Poses of all links at a time, without advancing the world.
   [[nodiscard]] std::vector<Pose> linkPoses(Stamp time) const {
     std::vector<Pose> poses = world_->linkPoses();
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -104,7 +104,7 @@ class ScannedHall {
     return poses;
   }
 
-  /// Labels as a run has them: each box is an instance and its part's number is twice that.
+  /// Labels as in a run: each box is an instance, and its part number is twice the instance's.
   [[nodiscard]] std::vector<lidar::LinkLabel> labels() const {
     std::vector<lidar::LinkLabel> labels;
     for (const world::LinkInstance& link : world_->links()) {
@@ -127,7 +127,7 @@ class ScannedHall {
   std::unique_ptr<world::World> world_;
 };
 
-/// A scanner without noise, whose rays all come back.
+/// A scanner without noise or dropout.
 inline lidar::LidarModel exactModel(int rings, int columns) {
   lidar::LidarModel model;
   model.elevations = lidar::evenAngles(rings, -0.4, 0.3);
@@ -149,7 +149,7 @@ inline lidar::LidarRig scannerOf(const lidar::LidarModel& model,
   return lidar::makeLidarRig(options, {}, frames, notes);
 }
 
-/// The cloud of a scanner around a time, the hall moving meanwhile.
+/// The cloud that a scanner takes around a time, while the boxes in the hall move.
 inline Cloud cloudIn(ScannedHall& hall, const lidar::LidarModel& model,
                      const motion::FrameSource& frames, Stamp stamp = kSweepTime) {
   const std::vector<lidar::LidarRig> lidars = {scannerOf(model, frames)};

@@ -19,7 +19,7 @@ world::Material painted(float grey, float roughness = 1.0F) {
   return material;
 }
 
-/// Left half a hole, right half white.
+/// The left half is a hole, the right half is white.
 std::shared_ptr<const world::Texture> halfAHole() {
   auto texture = std::make_shared<world::Texture>();
   texture->pixels = cv::Mat(8, 8, CV_8UC4, cv::Scalar(255, 255, 255, 255));
@@ -55,7 +55,7 @@ TEST(RayBodies, LetRaysThroughHolesAndBacks) {
   };
   const auto left = along(0.5);
   const auto right = along(-0.5);
-  ASSERT_NE(left.has_value(), right.has_value());  // and through the far face's back
+  ASSERT_NE(left.has_value(), right.has_value());  // the ray also passes the far face's back
   EXPECT_NEAR((left ? left : right)->distance, 4.0, 1e-9);
   EXPECT_FALSE(bodies.meet(body, {0.0, 0.1, 0.2}, {1.0, 0.0, 0.0}, 0.0, 100.0, paint));
 }

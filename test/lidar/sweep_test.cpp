@@ -16,7 +16,7 @@ namespace sweep_test {
 using test::kSweepTime;
 using test::ScannedHall;
 
-/// The greatest distance of a wall's points from a plane across x that is put through them.
+/// The greatest distance of a wall's points from a plane that is fitted to them.
 double bending(const Cloud& cloud, std::uint16_t world_class, bool corrected) {
   std::vector<Eigen::Vector3d> points;
   for (const CloudPoint& point : cloud.points) {

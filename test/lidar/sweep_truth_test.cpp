@@ -1,5 +1,5 @@
-/// A sweep of a moving scanner among moving things, against rays that Bullet casts one by one at
-/// their own times.
+/// A sweep of a moving scanner among moving objects, compared with rays that Bullet casts one by
+/// one, each at its own time.
 
 #include <cstdlib>
 #include <map>
@@ -21,7 +21,7 @@ using test::ScannedHall;
 
 constexpr double kMillimetre = 0.001;
 
-/// What is found in the cloud or by the judge of one ray.
+/// What one ray meets, according to the cloud or to the judge.
 struct Seen {
   std::uint16_t part = 0;
   std::uint16_t world_class = 0;
@@ -59,7 +59,7 @@ bool areAlike(const Seen& found, const Seen& right) {
          std::abs(found.range - right.range) <= kMillimetre;
 }
 
-/// Whether a ray that passes within a millimetre of this one, where it ends, sees what was found.
+/// Whether a ray that passes within a millimetre of this ray's end sees what was found.
 bool isByAnEdge(const Judge& judge, const Seen& found, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& direction, double range) {
   const Eigen::Vector3d right = direction.unitOrthogonal();
@@ -71,7 +71,7 @@ bool isByAnEdge(const Judge& judge, const Seen& found, const Eigen::Vector3d& fr
     Seen beside = judge.look(from, (aim - from).normalized());
     if (found.part != beside.part || found.world_class != beside.world_class) continue;
     if (std::abs(found.range - beside.range) <= 2.0 * kMillimetre) return true;
-    // Along a surface that is nearly met from its side, ranges change fast.
+    // Along a surface at a grazing angle, ranges change fast.
     if (std::abs(beside.range - range) >= std::abs(found.range - range)) return true;
   }
   return false;
@@ -80,8 +80,8 @@ bool isByAnEdge(const Judge& judge, const Seen& found, const Eigen::Vector3d& fr
 struct Count {
   std::int64_t rays = 0;
   std::int64_t wrong = 0;
-  std::int64_t by_edges = 0;  ///< other than the judge's, where something else is within 1 mm
-  double farthest = 0.0;      ///< between ranges of the same thing [m]
+  std::int64_t by_edges = 0;  ///< unlike the judge's, because something else is within 1 mm
+  double farthest = 0.0;      ///< greatest difference between ranges of the same thing [m]
 };
 
 void judge(ScannedHall& hall, const LidarModel& model, Stamp stamp, Count& count) {
@@ -120,7 +120,7 @@ void judge(ScannedHall& hall, const LidarModel& model, Stamp stamp, Count& count
   }
 }
 
-/// How many sweeps of 32,768 rays are judged; SYNTHETIC_DATASET_SWEEPS=306 makes ten million.
+/// How many sweeps of 32,768 rays are judged; SYNTHETIC_DATASET_SWEEPS=306 makes ten million rays.
 int sweepCount() {
   const char* given = std::getenv("SYNTHETIC_DATASET_SWEEPS");
   return given != nullptr ? std::atoi(given) : 2;
@@ -149,7 +149,7 @@ TEST(SweepTruth, HoldsWhereRingsFireOneAfterTheOther) {
   EXPECT_EQ(count.wrong, 0);
 }
 
-/// Expects nearly all points where they are in the hall at the origin with nothing around it.
+/// Expects nearly all points to be where they are in a hall at the origin with nothing around it.
 void expectPointsAsAlone(ScannedHall& hall) {
   const LidarModel model = test::exactModel(8, 512);
   const auto frames = hall.frames();

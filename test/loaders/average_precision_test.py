@@ -1,5 +1,5 @@
-"""Truth against itself, by the benchmarks' own evaluations: an average precision of 1, or a label says something else
-than the benchmark reads.
+"""Truth against itself, by the benchmarks' own evaluations: unless the average precision is 1, a label means
+something else to the benchmark.
 
 KITTI's is MMDetection3D's port (kitti_utils/eval.py); nuScenes' is its devkit's.
 """
@@ -23,7 +23,7 @@ NUSCENES_CLASSES = ('car', 'pedestrian', 'traffic_cone')
 
 
 def scores(count):
-    """Each another one, so that recall is met step by step."""
+    """All different, so that recall grows step by step."""
     return np.random.default_rng(0).permutation(count) / count
 
 
@@ -35,7 +35,7 @@ class KittiAveragePrecisionTest(LoaderCase):
         return [reader.get_label_anno(str(file)) for file in sorted((folder / 'training/label_2').iterdir())]
 
     def evaluated(self, truth, found):
-        """What the evaluation says, by the names of its measures."""
+        """The results of the evaluation, by the names of its measures."""
         with contextlib.redirect_stdout(io.StringIO()):
             return kitti_eval(truth, found, ['Car', 'Pedestrian'], eval_types=['bbox', 'bev', '3d'])[1]
 
@@ -86,7 +86,7 @@ class NuScenesAveragePrecisionTest(LoaderCase):
                     'attribute_name': ''})
         modalities = {f'use_{each}': each == 'lidar' for each in ('camera', 'lidar', 'radar', 'map', 'external')}
         (place / 'results.json').write_text(json.dumps({'meta': modalities, 'results': of_sample}))
-        with contextlib.redirect_stderr(io.StringIO()):  # a bar
+        with contextlib.redirect_stderr(io.StringIO()):  # a progress bar
             evaluation = DetectionEval(database, config_factory('detection_cvpr_2019'), str(place / 'results.json'),
                                        'train', str(place), verbose=False)
         return evaluation.evaluate()[0]

@@ -17,7 +17,7 @@ from loader_case import LoaderCase, read_picture
 
 
 def load_json(file):
-    """As inout.load_json with keys_to_int."""
+    """Loads a file like inout.load_json with keys_to_int."""
     content = json.loads(file.read_text(encoding='utf-8'))
     return {int(key): value for key, value in content.items()}
 
@@ -29,7 +29,7 @@ def vertices_of(file):
 
 
 def box_of(mask):
-    """As misc.calc_2d_bbox of the pixels: width and height are one less than their count."""
+    """The pixels' box as in misc.calc_2d_bbox: width and height are one less than their count."""
     rows, columns = np.nonzero(mask)
     return [columns.min(), rows.min(), columns.max() - columns.min(), rows.max() - rows.min()]
 
@@ -148,7 +148,7 @@ class BopTest(LoaderCase):
             vertices = vertices_of(place.parents[1] / f'models/obj_{pose["obj_id"]:06}.ply')
             points = vertices @ np.reshape(pose['cam_R_m2c'], (3, 3)).T + pose['cam_t_m2c']
             if each.name == 'arm' or info['px_count_visib'] == 0 or points[:, 2].min() < 50:
-                continue  # an articulated model's file does not know how its joints stand
+                continue  # an articulated model's file does not contain the joints' positions
             count += 1
             pixels = scene.project(points)
             left, top, width, height = info['bbox_obj']

@@ -1,4 +1,4 @@
-"""Bounding shapes: nobody's loader, but plain numbers."""
+"""Bounding shapes: plain numbers, for which there is no loader."""
 import unittest
 
 import numpy as np

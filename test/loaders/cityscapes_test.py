@@ -22,7 +22,7 @@ FULL = ('hard', 'lens', 'many', 'cameras')
 
 
 def use_labels(file):
-    """Puts the dataset's own classes in the place of Cityscapes', for all scripts."""
+    """Replaces Cityscapes' classes by the dataset's own in all scripts."""
     names = label_table.Label._fields
     label = namedtuple('Label', names)
     entries = [label(**{**entry, 'color': tuple(entry['color'])})
@@ -137,7 +137,7 @@ class CityscapesTest(LoaderCase):
 
     @staticmethod
     def predict(place, number, scene):
-        """Writes the truth's masks as the evaluation wants predictions."""
+        """Writes the truth's masks in the form in which the evaluation reads predictions."""
         lines = []
         for i, each in enumerate(scene.labelled):
             mask = f'{number}_{i}.png'

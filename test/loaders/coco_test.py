@@ -96,10 +96,9 @@ class CocoTest(LoaderCase):
             self.assertEqual(found['num_keypoints'], sum(flag > 0 for flag in flags))
 
     def evaluate(self, coco, kind, categories, keypoint_count=0):
-        """Every precision that is defined, of the ground truth as detections of itself."""
+        """Every precision that is defined, with the ground truth as detections of itself."""
         key = 'segmentation' if kind == 'segm' else kind
-        # Annotations without keypoints in the image are ignored there, and detections of them are
-        # not.
+        # COCOeval ignores annotations without keypoints in the image, but not detections of them.
         results = [{'image_id': each['image_id'], 'category_id': each['category_id'],
                     'score': 1.0, key: each[key]}
                    for each in coco.anns.values() if each['category_id'] in categories

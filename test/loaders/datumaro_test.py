@@ -1,4 +1,4 @@
-"""What datumaro's importers read of formats that have no other loader: Darknet's, Cityscapes'."""
+"""Formats read by datumaro's importers that have no other loader: Darknet's and Cityscapes'."""
 import unittest
 
 import numpy as np
@@ -10,7 +10,7 @@ from loader_case import LoaderCase
 
 class DatumaroTest(LoaderCase):
     def relative(self, folder):
-        """A copy whose lists name files relative to it: datumaro takes no others, Darknet takes both."""
+        """A copy whose lists name files relative to it: datumaro reads only these, Darknet both."""
         copy = self.scratch_copy(folder)
         for file in [copy / 'obj.data', *copy.glob('*.txt')]:
             text = file.read_text(encoding='utf-8')

@@ -23,8 +23,8 @@ VOXEL = [0.2, 0.2, 4]
 CELLS = 128  # RANGE / VOXEL
 BATCH = 2
 
-# As configs/_base_/models/pointpillars_hv_secfpn_kitti.py has it, with fewer layers and channels, and the range and
-# anchors of the dataset.
+# The model of configs/_base_/models/pointpillars_hv_secfpn_kitti.py, with fewer layers and channels, and with the
+# range and anchors of the dataset.
 MODEL = {
     'type': 'VoxelNet',
     'data_preprocessor': {
@@ -60,7 +60,7 @@ POINTS = {'type': 'LoadPointsFromFile', 'coord_type': 'LIDAR', 'load_dim': 4, 'u
 
 
 def prepare(folder):
-    """What `tools/create_data.py kitti` does."""
+    """Does the same as `tools/create_data.py kitti`."""
     converter = open_mmlab.preparation('kitti_converter')
     converter.create_kitti_info_file(str(folder), 'kitti')
     converter.create_reduced_point_cloud(str(folder), 'kitti')
@@ -72,7 +72,7 @@ def prepare(folder):
 
 
 def training_set(folder):
-    """As configs/_base_/datasets/kitti-3d-3class.py has it."""
+    """The training set of configs/_base_/datasets/kitti-3d-3class.py."""
     database = {'data_root': str(folder), 'info_path': str(folder / 'kitti_dbinfos_train.pkl'), 'rate': 1.0,
                 'prepare': {'filter_by_difficulty': [-1], 'filter_by_min_points': {'Car': 5, 'Pedestrian': 5}},
                 'classes': CLASSES, 'sample_groups': {'Car': 3, 'Pedestrian': 3}, 'points_loader': POINTS}

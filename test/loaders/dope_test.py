@@ -6,7 +6,7 @@ import numpy as np
 
 from loader_case import LoaderCase, read_picture
 
-# add_cuboid of nvisii_data_gen/utils.py, by the truth's numbering of corners.
+# The order of add_cuboid in nvisii_data_gen/utils.py, in the truth's numbering of corners.
 CORNERS = [0b101, 0b001, 0b011, 0b111, 0b100, 0b000, 0b010, 0b110]
 
 
@@ -66,7 +66,7 @@ class DopeTest(LoaderCase):
     def test_visibility_and_counts_are_the_scenes(self):
         for scene, each, found in self.objects():
             self.assertAlmostEqual(found['visibility'], each.visibility, delta=1e-12)
-            self.assertGreater(found['visibility'], 0)  # else the reader drops its points
+            self.assertGreater(found['visibility'], 0)  # otherwise the reader drops its points
             self.assertEqual((found['px_count_all'], found['px_count_visib']),
                              (each.silhouette_pixels, each.visible_pixels))
             left, top, right, bottom = each.visible_pixel_box

@@ -1,8 +1,8 @@
-"""Prints what FiftyOne's importers read of a dataset, as JSON: runs in FiftyOne's environment.
+"""Prints what FiftyOne's importers read from a dataset, as JSON: runs in FiftyOne's environment.
 
     fiftyone_reader.py FOLDER
 
-FOLDER is what make_loader_datasets wrote of one dataset. The output is {format: {image's name: [[label,
+FOLDER is one dataset of make_loader_datasets. The output is {format: {image's name: [[label,
 [left, top, width, height of the image's size], mask's pixels or None]]}}.
 """
 import json
@@ -32,7 +32,7 @@ def importers(folder):
 
 
 def labels_of(sample):
-    """Importers give a path, the image's metadata, and labels: of one kind, or several by name."""
+    """A sample is a path, the image's metadata, and labels: of one kind, or several kinds by name."""
     labels = sample[2]
     if isinstance(labels, dict):
         labels = next(iter(labels.values()), None)

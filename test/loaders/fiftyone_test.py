@@ -1,4 +1,4 @@
-"""What FiftyOne's importers read of the formats that it knows."""
+"""What FiftyOne's importers read from the formats that it knows."""
 import functools
 import json
 import os
@@ -14,7 +14,7 @@ TIMEOUT = 120  # [s]
 
 @functools.lru_cache(maxsize=None)
 def read(name):
-    """What fiftyone_reader.py prints of a dataset. FiftyOne starts its database when it is imported."""
+    """The output of fiftyone_reader.py for a dataset. FiftyOne starts its database at its import."""
     reader = pathlib.Path(__file__).with_name('fiftyone_reader.py')
     with tempfile.TemporaryDirectory() as scratch:
         environ = {**os.environ, 'HOME': scratch, 'FIFTYONE_DATABASE_DIR': f'{scratch}/database',
@@ -30,12 +30,12 @@ def read(name):
 
 class FiftyOneTest(LoaderCase):
     def assert_boxes(self, writer, tolerance, shift=(0, 0, 0, 0), of_name=None, spaces=True):
-        """Holds the boxes of a format against the visible ones.
+        """Compares the boxes of a format with the visible ones.
 
         @param tolerance: of an edge [px]
         @param shift: how the importer's convention differs from left, top, right, bottom edges
         @param of_name: the name of a scene's image
-        @param spaces: whether the format's names may hold them
+        @param spaces: whether the format's names may have spaces
         """
         for truth, _ in self.datasets(writer, ('hard',)):
             found = read('hard')[writer]
@@ -63,14 +63,14 @@ class FiftyOneTest(LoaderCase):
     def test_kitti(self):
         for truth, _ in self.datasets('kitti', ('hard',)):
             found = read('hard')['kitti']
-            for scene in truth.scenes:  # with regions that are not labelled
+            for scene in truth.scenes:  # KITTI also has regions that are not labelled
                 name = f'{scene.instant:06}'
                 found[name] = [each for each in found[name] if each[0] != 'DontCare']
         self.assert_boxes('kitti', 1e-4, of_name=lambda scene: f'{scene.instant:06}',
                           spaces=False)
 
     def test_pascal_voc(self):
-        # It takes the numbers, which are those of pixels from 1, for edges.
+        # The importer takes the numbers of pixels, which start at 1, for edges.
         self.assert_boxes('pascal_voc', 1e-6, (1, 1, 0, 0), lambda scene: scene.flat_name)
 
     def test_ultralytics(self):

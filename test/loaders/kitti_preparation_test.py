@@ -23,7 +23,7 @@ OPENPCDET = os.environ.get('OPENPCDET')
 
 
 def openpcdet(clone):
-    """Its module of KITTI; what needs a GPU's compiler, and is not called, is left out."""
+    """OpenPCDet's module for KITTI, without the parts that need a GPU's compiler, which are not called."""
     def stand_in(name, **members):
         sys.modules[name] = types.ModuleType(name)
         sys.modules[name].__dict__.update(members)
@@ -45,7 +45,7 @@ def openpcdet(clone):
 
 
 def listed(folder, name):
-    """The numbers in a list, which both open without asking whether it is there."""
+    """The numbers in a list, which both preparations open without checking that it exists."""
     return [int(line) for line in (folder / f'ImageSets/{name}.txt').read_text().split()]
 
 

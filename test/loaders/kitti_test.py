@@ -12,7 +12,7 @@ def folder_of(truth, folder, scene):
 
 
 def corners_of(target):
-    """The label's 3D box in the camera's frame, as KITTI's devkit_object (computeBox3D.m)."""
+    """The label's 3D box in the camera's frame, as in KITTI's devkit_object (computeBox3D.m)."""
     height, width, length = target['dimensions']
     turn = target['rotation_y']
     rotation = np.array([[np.cos(turn), 0, np.sin(turn)], [0, 1, 0],
@@ -119,7 +119,7 @@ class KittiTest(LoaderCase):
                     file = folder_of(truth, folder, scenes[0]) / f'ImageSets/{split}.txt'
                     self.assertEqual(file.read_text().split(),
                                      [f'{scene.instant:06}' for scene in scenes
-                                      if scene.labelled])  # OpenPCDet wants a label in each
+                                      if scene.labelled])  # OpenPCDet needs a label in each
 
 
 if __name__ == '__main__':

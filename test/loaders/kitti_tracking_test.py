@@ -1,4 +1,4 @@
-"""KITTI's tracking benchmark, read as its devkit's tracker does (evaluate_tracking.py, loadData), and by TrackEval."""
+"""KITTI's tracking benchmark, read like its devkit's loadData (evaluate_tracking.py), and by TrackEval."""
 import shutil
 import unittest
 
@@ -13,7 +13,7 @@ from loader_case import LoaderCase, read_picture
 
 class KittiTrackingTest(LoaderCase):
     def sequences(self):
-        """Yields the scenes of each sequence with its lines and its number, by the devkit's map."""
+        """Yields the scenes of each sequence of the devkit's map, with its lines and its number."""
         for truth, folder in self.datasets('kitti_tracking'):
             for split in truth.splits:
                 lines = (folder / f'evaluate_tracking.seqmap.{split}').read_text().splitlines()
@@ -49,7 +49,7 @@ class KittiTrackingTest(LoaderCase):
                                       [left, top, right + 1, bottom + 1], 1e-5)
 
     def evaluated(self, folder, to_types):
-        """TrackEval's HOTA of the labels as a tracker's result of themselves."""
+        """TrackEval's HOTA of the labels, with themselves as a tracker's result."""
         scratch = self.scratch_folder()
         gt, tracker = scratch / 'gt', scratch / 'trackers' / 'truth' / 'data'
         shutil.copytree(folder / 'training' / 'label_02', gt / 'label_02')

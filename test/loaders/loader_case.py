@@ -1,4 +1,4 @@
-"""What the tests of all loaders share."""
+"""Helpers that the tests of all loaders share."""
 import functools
 import os
 import pathlib
@@ -26,7 +26,7 @@ def root():
 
 
 def named_folder(parent, name):
-    """The folder of an object's name, which is not itself where letters are not safe in paths."""
+    """The folder of an object: its name, or a changed one if some letters are not safe in paths."""
     if (parent / name).is_dir():
         return parent / name
     safe = re.sub(r'[^\w.-]', '_', name)
@@ -34,9 +34,9 @@ def named_folder(parent, name):
 
 
 class LoaderCase(unittest.TestCase):
-    """Compares what one format's loader gives with the truth, dataset by dataset."""
+    """Compares what one format's loader returns with the truth, dataset by dataset."""
 
-    dataset = ''  # of which the test speaks, for its messages
+    dataset = ''  # the current one, for messages
 
     def datasets(self, writer, names=DATASETS):
         """Yields each dataset's truth and the folder of a writer."""
@@ -63,9 +63,9 @@ class LoaderCase(unittest.TestCase):
         self.assertEqual(different, 0, f'{what}: {different} pixels differ')
 
     def assert_mask_of_one_ring(self, found, expected, what=''):
-        """A ring round all parts of a mask runs through the gaps between them, a pixel wide."""
+        """A ring around all parts of a mask bridges the gaps between them, a pixel wide."""
         parts, _ = cv2.connectedComponents(expected.astype(np.uint8))
-        if parts <= 2:  # of which one is the background
+        if parts <= 2:  # one of them is the background
             self.assert_same_pixels(found, expected, what)
             return
         self.assertFalse(np.any(expected & ~found), what)

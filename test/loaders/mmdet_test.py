@@ -1,4 +1,4 @@
-"""COCO, its panoptic files and Pascal VOC by mmdet's datasets."""
+"""COCO, its panoptic files and Pascal VOC, by mmdet's datasets."""
 import contextlib
 import io
 import pathlib
@@ -18,7 +18,7 @@ class MmdetTest(LoaderCase):
             return kind(pipeline=[], test_mode=True, **settings)
 
     def loaded(self, kind, truth, **settings):
-        """Yields each scene with what the dataset says of its image."""
+        """Yields each scene with the dataset's data about its image."""
         infos = list(self.made(kind, **settings))
         self.assertEqual(len(infos), len(truth.scenes))
         by_name = {pathlib.Path(each['img_path']).stem: each for each in infos}
@@ -26,7 +26,7 @@ class MmdetTest(LoaderCase):
             yield scene, by_name[scene.flat_name]
 
     def assert_instances(self, scene, instances, names, shift=(0, 0, 0, 0)):
-        """Holds boxes against the visible ones.
+        """Compares boxes with the visible ones.
 
         @param shift: how the loader's convention differs from left, top, right, bottom edges
         """
@@ -70,7 +70,7 @@ class MmdetTest(LoaderCase):
                     XMLDataset, truth, metainfo={'classes': names},
                     ann_file=str(folder / 'ImageSets/Main/train.txt'),
                     data_prefix={'sub_data_root': str(folder)}):
-                # It takes 1 from all four: the last pixel's number is its left edge then.
+                # It subtracts 1 from all four, which makes the last pixel's number its left edge.
                 self.assert_instances(scene, info['instances'], names, (0, 0, -1, -1))
 
 

@@ -18,7 +18,7 @@ class MotTest(LoaderCase):
                     yield scenes, folder / split / camera
 
     def items(self):
-        """Yields each scene with what datumaro reads of its frame."""
+        """Yields each scene with what datumaro reads for its frame."""
         for scenes, folder in self.sequences():
             items = list(MotSeqBase(str(folder / 'gt/gt.txt')))
             self.assertEqual(len(items), len(scenes))

@@ -143,7 +143,7 @@ class NuScenesTest(LoaderCase):
             pose = database.get(table, data[token])
             cloud.rotate(Quaternion(pose['rotation']).rotation_matrix)
             cloud.translate(np.array(pose['translation']))
-        walls = np.abs(np.abs(cloud.points[:2]) - 0.95).min(axis=0)  # the tunnel's, from within
+        walls = np.abs(np.abs(cloud.points[:2]) - 0.95).min(axis=0)  # those of the tunnel, from inside
         self.assertGreater(walls.size, 5 * 1000)
         self.assertLess(walls.max(), 0.01)
 

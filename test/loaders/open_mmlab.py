@@ -1,8 +1,8 @@
-"""MMDetection and MMDetection3D where their compiled operators are not: no package index has these for every Python.
+"""MMDetection and MMDetection3D without their compiled operators, which no package index has for every Python.
 
-Importing this module, before theirs, puts stand-ins in the place of what is not installed. What datasets and a small
-detector call of it is written out here: which voxel a point falls into, and the overlap of rotated rectangles, which
-theirs has for GPUs only. All else raises.
+Importing this module before theirs puts stand-ins in the place of what is not installed. What datasets and a small
+detector call is implemented here: the voxel that a point falls into, and the overlap of rotated rectangles, which
+MMDetection3D has only for GPUs. Everything else raises.
 """
 import importlib
 import importlib.metadata
@@ -55,7 +55,7 @@ def hard_voxelize_forward(points, voxel_size, coors_range, voxels, coors, num_po
 
 
 def rectangles(boxes):
-    """Of rows x, y, width, height, angle: clockwise, as KITTI's rotation is seen from above."""
+    """The rectangles of rows x, y, width, height, angle: clockwise, as KITTI's rotation is seen from above."""
     x, y, width, height, angle = np.asarray(boxes, float).T[..., None]
     across = np.array([-1, 1, 1, -1]) * width / 2
     along = np.array([-1, -1, 1, 1]) * height / 2
@@ -64,7 +64,7 @@ def rectangles(boxes):
 
 
 def rotate_iou_gpu_eval(boxes, query_boxes, criterion=-1, device_id=0):
-    """mmdet3d/evaluation/functional/kitti_utils/rotate_iou.py: of each with each, intersection over union, or with
+    """mmdet3d/evaluation/functional/kitti_utils/rotate_iou.py: the intersection over union of all pairs, or with
     criterion 2 the intersection."""
     first, second = rectangles(boxes)[:, None], rectangles(query_boxes)[None]
     common = shapely.area(shapely.intersection(first, second))
@@ -83,14 +83,14 @@ def stand_in(name, **members):
 
 
 def preparation(name):
-    """A module of MMDetection3D's preparation of data, which is in its wheel beside the package."""
+    """A module of MMDetection3D's data preparation, which is in its wheel beside the package."""
     folder = str(importlib.metadata.distribution('mmdet3d').locate_file(TOOLS))
     if folder not in sys.path:
         sys.path.insert(0, folder)
     return importlib.import_module(f'tools.dataset_converters.{name}')
 
 
-np.long = np.int64  # of which they speak, and NumPy from 1.24 on does not
+np.long = np.int64  # they use the name, which NumPy lacks from 1.24 on
 stand_in('mmcv._ext', hard_voxelize_forward=hard_voxelize_forward)
 stand_in('skimage', io=types.SimpleNamespace(imread=lambda file: cv2.imread(str(file))))
 for part in ('', '.lyftdataset', '.utils', '.utils.data_classes', '.eval', '.eval.detection',

@@ -7,7 +7,7 @@ from torchvision.datasets import VOCDetection, VOCSegmentation
 
 from loader_case import LoaderCase
 
-# torchvision knows the list `test` only of 2007.
+# torchvision knows the list `test` only for 2007.
 YEARS = {'train': '2012', 'val': '2012', 'test': '2007'}
 
 

@@ -32,7 +32,7 @@ class PvNetTest(LoaderCase):
 
     @staticmethod
     def is_sample(each):
-        """The truth knows no more than that; of objects half behind the camera none is one."""
+        """As far as the truth can tell; objects partly behind the camera are not samples."""
         return each.labelled and each.cuboid_corners_C[:, 2].min() > 0.05
 
     def samples(self):
@@ -107,7 +107,7 @@ class PvNetTest(LoaderCase):
             for kind in ('fps', 'corner', 'center'):
                 points = np.array(annotation[f'{kind}_3d']).reshape(-1, 3)
                 pixels = np.array(annotation[f'{kind}_2d']).reshape(-1, 2)
-                # Where they are on the image, so through the lens that `camera.txt` lacks.
+                # Where the points are in the image, through the lens that `camera.txt` lacks.
                 self.assert_close(pixels, scene.project(each.to_camera(points)), 1e-6, place)
             self.assert_close(annotation['fps_3d'], np.loadtxt(place / 'fps.txt'), 1e-12)
             self.assertEqual((annotation['cls'], annotation['type'], annotation['category_id']),

@@ -1,4 +1,4 @@
-"""The programs in docs/python.md, run as they stand there on a dataset of the bundled example."""
+"""The programs in docs/python.md, run unchanged on a dataset of the bundled example."""
 import ast
 import json
 import os
@@ -14,7 +14,7 @@ sys.path.insert(0, str(REPOSITORY / 'test' / 'python'))
 from example_dataset import run, settings  # noqa: E402
 
 TIMEOUT = 900.0  # [s]
-# Threads of torch now and then abort Python when it ends, after all is done.
+# Threads of torch sometimes abort Python at its exit, after all work is done.
 LEAVE = '\nimport os, sys\nsys.stdout.flush()\nos._exit(0)\n'
 WRITERS = '''
 writers:
@@ -26,7 +26,7 @@ split: {train: 0.5, val: 0.5}
 
 
 def programs():
-    """The blocks of Python, by the heading that they are under."""
+    """The blocks of Python by their headings."""
     text = (REPOSITORY / 'docs' / 'python.md').read_text('utf-8')
     found = {}
     for section in re.split(r'^#+ (?=[A-Z])', text, flags=re.MULTILINE)[1:]:
@@ -100,13 +100,13 @@ class PythonDocs(unittest.TestCase):
         text = self.output('Evaluation as in COCO')
         found = re.search(r'Average Precision  \(AP\) @\[ IoU=0.50      \| area=   all \| '
                           r'maxDets=100 \] = (\d\.\d+)', text)
-        # Two pixels aside, boxes of these sizes overlap by more than half.
+        # Boxes of these sizes that are shifted by two pixels still overlap by more than half.
         self.assertEqual(float(found.group(1)), 1.0, text)
         found = re.search(r'IoU=0.50:0.95 \| area=   all \| maxDets=100 \] = (\d\.\d+)', text)
         self.assertLess(float(found.group(1)), 1.0, text)
 
     def test_every_program_is_run(self):
-        # test/python/dataset_test.py runs that of a format of one's own.
+        # test/python/dataset_test.py runs the program for a format of one's own.
         self.assertEqual({name: len(blocks) for name, blocks in programs().items() if blocks},
                          {'Datasets in Python': 1, 'What it reads': 1, 'PyTorch': 1, 'FiftyOne': 1,
                           'Ultralytics': 1, 'Evaluation as in COCO': 1,

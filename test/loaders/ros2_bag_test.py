@@ -1,4 +1,4 @@
-"""Bags of ROS 2, written by rosbags as ROS 2 Humble has their types, become datasets."""
+"""Datasets from ROS 2 bags, written by rosbags with the message types of ROS 2 Humble."""
 import pathlib
 import sqlite3
 import subprocess
@@ -32,7 +32,7 @@ output_folder: {folder}/out
 
 
 def message(kind, **fields):
-    """A message of ROS 2, by its type "geometry_msgs/Pose"."""
+    """A ROS 2 message of a type such as "geometry_msgs/Pose"."""
     package, name = kind.split('/')
     return STORE.types[f'{package}/msg/{name}'](**fields)
 
@@ -57,7 +57,7 @@ def tf_at(stamp_ns):
 
 
 def odometry_at(stamp_ns):
-    """The same as odometry."""
+    """The pose of tf_at as odometry."""
     zero = message('geometry_msgs/Vector3', x=0.0, y=0.0, z=0.0)
     pose = message('geometry_msgs/Pose',
                    position=message('geometry_msgs/Point', x=x_at(stamp_ns), y=0.0, z=0.0),

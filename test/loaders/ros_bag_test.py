@@ -1,4 +1,4 @@
-"""The ROS bag, by rosbag and what its messages mean."""
+"""The ROS bag, read with rosbag and by the meaning of its messages."""
 import unittest
 
 import numpy as np

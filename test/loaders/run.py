@@ -15,7 +15,7 @@ import unittest
 
 
 def run(module):
-    """The result of one file's tests, and what it printed."""
+    """The result of one file's tests, and their output."""
     suite = unittest.defaultTestLoader.loadTestsFromModule(importlib.import_module(module))
     stream = io.StringIO()
     result = unittest.TextTestRunner(stream=stream, verbosity=0).run(suite)
@@ -29,7 +29,7 @@ def main():
     chosen = sys.argv[2:] or sorted(file.name[:-len('_test.py')]
                                     for file in here.glob('*_test.py'))
     with tempfile.TemporaryDirectory() as scratch:
-        os.chdir(scratch)  # cityscapesscripts leaves files where it stands
+        os.chdir(scratch)  # cityscapesscripts leaves files in the current folder
         return run_all(chosen)
 
 

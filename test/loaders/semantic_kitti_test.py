@@ -56,7 +56,7 @@ class SemanticKittiTest(LoaderCase):
                     for line in lines if line}
             poses = np.loadtxt(folder / 'poses.txt').reshape(-1, 3, 4)
             self.assertEqual(len(poses), len(scenes))
-            self.assert_close(poses, np.broadcast_to(np.eye(3, 4), poses.shape), 1e-9)  # all stands
+            self.assert_close(poses, np.broadcast_to(np.eye(3, 4), poses.shape), 1e-9)  # nothing moves
             for i, scene in enumerate(scenes):
                 points = np.fromfile(folder / f'velodyne/{i:06}.bin', '<f4').reshape(-1, 4)[:, :3]
                 in_camera = points @ rows['Tr'][:, :3].T + rows['Tr'][:, 3]
@@ -68,8 +68,8 @@ class SemanticKittiTest(LoaderCase):
                 nearest = cv2.erode(seen, np.ones((3, 3)))[v, u]
                 z = in_camera[inside][:, 2]
                 is_seen = np.abs(z - seen[v, u]) < 0.02
-                # The scanner stands beside the camera: some of what it meets is hidden from that, and nothing is
-                # before what the camera sees.
+                # The scanner is beside the camera: some of its points are hidden from the camera, and none is in
+                # front of what the camera sees.
                 self.assertGreater(np.mean(is_seen), 0.5)
                 self.assertTrue(np.all(z > nearest - 0.02))
                 same = scene.instances[v, u] == scene.cloud.instances[inside]

@@ -11,7 +11,7 @@ from loader_case import LoaderCase
 
 class SupervisionTest(LoaderCase):
     def assert_boxes(self, dataset, scenes, tolerance, of_name, shift=(0, 0, 0, 0)):
-        """Holds a dataset's boxes against the visible ones.
+        """Compares a dataset's boxes with the visible ones.
 
         @param of_name: the name of a scene's image
         @param shift: how the loader's convention differs from left, top, right, bottom edges
@@ -76,7 +76,7 @@ class SupervisionTest(LoaderCase):
         for truth, folder in self.datasets('pascal_voc', ('hard',)):
             dataset = sv.DetectionDataset.from_pascal_voc(str(folder / 'JPEGImages'),
                                                           str(folder / 'Annotations'))
-            # It takes 1 from all four: the last pixel's number is its left edge then.
+            # It subtracts 1 from all four, which makes the last pixel's number its left edge.
             self.assert_boxes(dataset, truth.scenes, 1e-3, lambda scene: scene.flat_name,
                               (0, 0, -1, -1))
 

@@ -1,4 +1,4 @@
-"""What the writer test/Truth wrote: all that the software knows of a dataset, free of any format.
+"""All that the software knows about a dataset, without any format: what test/Truth wrote.
 
 Boxes and keypoints are in OpenCV's pixel coordinates: the first pixel's centre is (0, 0).
 """
@@ -19,7 +19,7 @@ def read_picture(file):
 
 
 class Object:
-    """One object in one scene; what is in the scene's JSON file are its attributes."""
+    """One object in one scene; its attributes are the fields of the scene's JSON file."""
 
     def __init__(self, folder, scene_name, content):
         self._files = str(folder / scene_name)
@@ -38,13 +38,13 @@ class Object:
 
     @property
     def visible_pixel_box(self):
-        """First and last column and row of the visible mask: left, top, right, bottom."""
+        """The first and last columns and rows of the visible mask: left, top, right, bottom."""
         rows, columns = np.nonzero(self.visible)
         return columns.min(), rows.min(), columns.max(), rows.max()
 
     @property
     def cuboid_corners_C(self):
-        """8 x 3 in the camera's frame; corner i has the high x where i & 4, y: 2, z: 1."""
+        """8 x 3 in the camera's frame; corner i has the high x if i & 4, y if i & 2, z if i & 1."""
         ends = np.array(self.cuboid_O)
         corners = [[ends[i >> 2 & 1][0], ends[i >> 1 & 1][1], ends[i & 1][2]] for i in range(8)]
         return self.to_camera(np.array(corners))
@@ -54,7 +54,7 @@ class Object:
 
 
 class Cloud:
-    """What a lidar measures of a scene, point by point."""
+    """A lidar's measurements of a scene, point by point."""
 
     def __init__(self, content):
         self.X_GS = np.array(content['X_GS'])
@@ -66,7 +66,7 @@ class Cloud:
 
 
 class Scene:
-    """One scene; what is in its JSON file are its attributes."""
+    """One scene; its attributes are the fields of its JSON file."""
 
     def __init__(self, folder, name):
         self._files = str(folder / name)
@@ -111,7 +111,7 @@ class Scene:
         return read_picture(f'{self._files}.depth.tiff')
 
     def project(self, points_C):
-        """N x 2 pixels of points before the camera, through its lens."""
+        """N x 2 pixels of points in front of the camera, through its lens."""
         points = np.asarray(points_C, float)
         lens = np.array(self.camera['D'])
         return cv2.projectPoints(points, np.zeros(3), np.zeros(3), self.K, lens)[0][:, 0]

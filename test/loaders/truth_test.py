@@ -1,4 +1,4 @@
-"""The datasets hold the cases that they promise; else the other tests would prove little."""
+"""The datasets contain the cases that they promise; else the other tests would prove little."""
 import pathlib
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -28,11 +28,11 @@ class TruthTest(LoaderCase):
             for each in scene.objects:
                 p_O = (p_G - each.X_GO[:3, 3]) @ each.X_GO[:3, :3]
                 low, high = np.array(each.cuboid_O)
-                # How far outside of the cuboid; negative within.
+                # The distance outside of the cuboid; negative inside.
                 outside = np.maximum(low - p_O, p_O - high).max(axis=1)
                 own = cloud.instances == each.instance
                 self.assertLess(outside[own].max(), 1e-4, each.name)
-                if each.class_name == 'rover':  # a cuboid itself
+                if each.class_name == 'rover':  # its shape is the cuboid
                     self.assert_close(outside[own], np.zeros(own.sum()), 1e-4)
                     self.assertGreater(outside[~own].min(), 1e-3)
                 counts[each.instance] += own.sum()

@@ -1,4 +1,4 @@
-"""Ultralytics YOLO's four tasks, by ultralytics.data, whose loader trains from such folders."""
+"""Ultralytics YOLO's four tasks, by ultralytics.data, which loads such folders for training."""
 import os
 import pathlib
 import tempfile
@@ -16,13 +16,13 @@ from ultralytics.utils import LOGGER  # noqa: E402
 from loader_case import LoaderCase, read_picture  # noqa: E402
 
 LOGGER.setLevel('ERROR')
-utils.check_font = lambda *_: None  # it would fetch one for names that are not ASCII
+utils.check_font = lambda *_: None  # would download a font for names that are not ASCII
 
 KEYPOINT_FLAGS = {'outside': 0, 'hidden_by_another': 1, 'hidden_by_itself': 1, 'visible': 2}
 
 
 def hull_of(mask):
-    """The convex hull of a mask's pixels, with their whole area."""
+    """The convex hull of a mask's pixels, each with its whole area."""
     rows, columns = np.nonzero(mask)
     corners = [np.stack([columns + dx, rows + dy], 1) for dx in (0, 1) for dy in (0, 1)]
     return cv2.convexHull(np.concatenate(corners).astype(np.float32))[:, 0]

@@ -6,7 +6,7 @@ from loader_case import LoaderCase, read_picture
 
 
 def boxes_of(text):
-    """Class and x, y, w, h of each line; a class may hold spaces here."""
+    """Class and x, y, w, h of each line; the class may contain spaces here."""
     rows = [line.rsplit(' ', 4) for line in text.splitlines()]
     return [(row[0], [float(number) for number in row[1:]]) for row in rows]
 

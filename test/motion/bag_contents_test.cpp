@@ -65,9 +65,9 @@ TEST_F(BagContentsTest, HasWhereAndWhenFramesTravel) {
   EXPECT_TRUE(base.middle_R.isApprox(Eigen::Vector3d(3, 2, 0), 0.01)) << "in the root's frame";
   EXPECT_NEAR(toSeconds(base.moves_from), 6.0, 0.1);
   EXPECT_NEAR(toSeconds(base.moves_until), 16.0, 0.1);
-  EXPECT_NEAR(base.way_length, 4.0, 0.05);
+  EXPECT_NEAR(base.path_length, 4.0, 0.05);
   EXPECT_NEAR(frame("odom").extent.norm(), 0.0, 1e-9);
-  EXPECT_EQ(frame("odom").way_length, 0.0);
+  EXPECT_EQ(frame("odom").path_length, 0.0);
 }
 
 TEST_F(BagContentsTest, HasGaps) {

@@ -1,5 +1,5 @@
-// Recordings whose time stamps are of another clock than their record times, or in which time goes
-// back.
+// Recordings whose time stamps come from another clock than their record times, or in which time
+// goes back.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-/// At time t its x is t in seconds, plus `side`.
+/// Adds a transform from "map" whose x is its stamp in seconds, plus `side`.
 void moveAt(BagBuilder& bag, const std::string& child, std::int64_t stamp_ms,
             std::int64_t recorded_ms, double side = 0.0) {
   BagBuilder::Transform transform;
@@ -70,7 +70,7 @@ TEST(BagMotionClock, OptionsCountFromTheFirstKnownStamp) {
               ElementsAre(milliseconds(102000), milliseconds(102500)));
 }
 
-/// Nine seconds, then five seconds again from the start, on the other side of the world.
+/// Nine seconds, then five seconds again from the start, 50 m farther along x.
 void writeReset(BagBuilder& bag, bool records_simulation_time) {
   std::int64_t wall = 500000;
   const auto moveBoth = [&](std::int64_t stamp, double side) {

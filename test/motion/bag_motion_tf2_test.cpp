@@ -1,4 +1,4 @@
-// BagMotion against a tf2 buffer that is fed with the same data by hand.
+// BagMotion compared with a tf2 buffer that is fed the same data by hand.
 #include <cstring>
 #include <random>
 
@@ -21,8 +21,8 @@ constexpr std::int64_t kSpan = 1000;  // [ns]: few stamps, so that many coincide
 
 std::string frameName(int i) { return "frame" + std::to_string(i); }
 
-/// Transforms among a few frames that change their parents, come late, repeat stamps, are static
-/// for a while, make loops: all that a recording can hold.
+/// Transforms among a few frames that change their parents, come late, repeat stamps, become static
+/// and form loops: all that a recording can hold.
 class RandomRecording {
  public:
   explicit RandomRecording(unsigned seed) : random_(seed) {
@@ -34,7 +34,7 @@ class RandomRecording {
       if (parent == child) continue;
       const bool is_static = child == kFrames - 1 && upTo(3) == 0;
       if (has_static_ && child == kFrames - 1)
-        continue;  // its later values are a matter of their own
+        continue;  // a static frame's later values are another matter
       has_static_ = has_static_ || is_static;
       transform.topic = is_static ? "/tf_static" : "/tf";
       transform.parent = frameName(parent);
@@ -87,7 +87,7 @@ class RandomRecording {
   std::vector<BagBuilder::Transform> transforms_;
 };
 
-/// To the last bit.
+/// Compares to the last bit.
 void expectSameTransform(const BagMotion& motion, const tf2::BufferCore& buffer,
                          const std::string& frame, Stamp time) {
   ros::Time ros_time;

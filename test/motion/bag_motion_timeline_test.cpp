@@ -62,7 +62,7 @@ TEST(Timeline, FindsItsEndInStepsBackFromTheRecordingsEnd) {
     moveAlongX(bag, "map", "alpha", 1000, 2700);
     bag.say("/chatter", milliseconds(3300));
   });
-  // 3300, 2800, 2300 is the first known: scenes before 2300.
+  // Going back by way of 3300 and 2800, 2300 is the first known time: scenes end before it.
   const Timeline timeline = motion.timeline({"alpha"}, everyMilliseconds(500));
   EXPECT_THAT(timeline.stamps,
               ElementsAre(milliseconds(1000), milliseconds(1500), milliseconds(2000)));
@@ -81,7 +81,7 @@ TEST(Timeline, DoesNotDriftWithAPeriodThatWasCut) {
   TimelineOptions options;
   options.period = periodOf(30.0);
   const Timeline timeline = motion.timeline({"alpha"}, options);
-  ASSERT_THAT(timeline.stamps, SizeIs(3001));  // 100 s / 33333333 ns, begun periods
+  ASSERT_THAT(timeline.stamps, SizeIs(3001));  // 100 s / 33333333 ns, rounded up
   EXPECT_EQ(timeline.stamps[3000], Stamp(1000000000 + 3000 * 33333333LL));
 }
 
@@ -109,7 +109,7 @@ TEST(Timeline, EndsWithTheRecordingWhenTheDurationIsLonger) {
   EXPECT_THAT(motion.timeline({"alpha"}, options).stamps, SizeIs(2));
 }
 
-/// So many milliseconds later as the place says.
+/// Delays each scene by 10 ms times its place on the grid.
 TimelineOptions laterByPlace(std::int64_t period) {
   TimelineOptions options = everyMilliseconds(period);
   options.jitter = [](std::int64_t place) { return milliseconds(10 * place); };
@@ -155,7 +155,7 @@ TEST(Timeline, LeavesOutScenesAtWhichATransformIsNotKnown) {
     moveAlongX(bag, "map", "alpha", 1700, 2000);
   });
   const Timeline timeline = motion.timeline({"alpha"}, everyMilliseconds(100));
-  EXPECT_THAT(timeline.stamps, SizeIs(8));  // of ten, not at 1500 and 1600
+  EXPECT_THAT(timeline.stamps, SizeIs(8));  // ten, without 1500 and 1600
   EXPECT_EQ(timeline.left_out_unknown, 2);
 }
 
@@ -174,7 +174,7 @@ TEST(Timeline, LeavesOutScenesAcrossLongGaps) {
   EXPECT_EQ(motion.timeline({"mast"}, options).left_out_gap, 0);
 }
 
-/// A second at 10 Hz, an hour of nothing, a second elsewhere.
+/// A second at 10 Hz, nothing for an hour, a second elsewhere.
 Timeline acrossAnHour(double x_after, const TimelineOptions& options) {
   constexpr std::int64_t kHour = 3600000;  // [ms]
   const BagMotion motion = recorded([&](BagBuilder& bag) {
@@ -265,7 +265,7 @@ TEST(Timeline, IsFoundInLongRecordingsWithoutLookingAtEachTime) {
     moveAlongX(bag, "map", "bravo", kTenHours, kTenHours + 1000);
     moveAlongX(bag, "map", "charlie", 1000, kTenHours, kTenHours / 10);
   });
-  // In steps of 1 ns there are 3.6e13 times: looked at one by one, they would take days.
+  // In steps of 1 ns there are 3.6e13 times: checking them one by one would take days.
   TimelineOptions options;
   options.period = Duration(1);
   EXPECT_THROW(static_cast<void>(motion.timeline({"alpha", "bravo"}, options)), std::runtime_error);

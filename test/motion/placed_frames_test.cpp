@@ -16,7 +16,7 @@ using test::milliseconds;
 using test::poseAt;
 using ::testing::SizeIs;
 
-/// Over a source in which alpha drives along x until 2 s, and the frame `hall` stands.
+/// Placed frames over a source in which alpha drives along x until 2 s and `hall` stands still.
 PlacedFrames placedOverMotion() {
   const auto alpha = [](Stamp time) -> std::optional<Pose> {
     if (time > milliseconds(2000)) return std::nullopt;

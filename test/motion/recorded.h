@@ -9,12 +9,12 @@
 
 namespace synthetic_dataset::motion {
 
-/// The motion of a bag that lives only as long as it is read.
+/// The motion in a temporary bag, which is deleted once it has been read.
 [[nodiscard]] BagMotion recorded(const std::function<void(test::BagBuilder&)>& write,
                                  const std::string& global_frame = "map");
 
-/// Where a frame is, by its name.
-/// @throws Error where it is not known
+/// X_GF of a frame, by its name.
+/// @throws Error when it is not known
 [[nodiscard]] Pose poseOf(const FrameSource& source, const std::string& frame, Stamp time);
 
 [[nodiscard]] bool isKnown(const FrameSource& source, const std::string& frame, Stamp time);
@@ -27,11 +27,11 @@ namespace synthetic_dataset::motion {
 void moveAlongX(test::BagBuilder& bag, const std::string& parent, const std::string& child,
                 std::int64_t first_ms, std::int64_t last_ms, std::int64_t step_ms = 100);
 
-/// What the source says when some of its frames are used.
+/// The warnings that the source reports when these frames are used.
 [[nodiscard]] std::vector<std::string> warningsOf(const FrameSource& source,
                                                   const std::vector<std::string>& frames);
 
-/// What the call's Error says; fails the test when there is none.
+/// The message of the Error that the call throws; fails the test if it throws none.
 [[nodiscard]] std::string messageOf(const std::function<void()>& call);
 
 }  // namespace synthetic_dataset::motion

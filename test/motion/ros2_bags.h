@@ -11,7 +11,7 @@
 /// Small bags of ROS 2, byte by byte.
 namespace synthetic_dataset::motion {
 
-/// Writes a message as CDR (encoding version 1) has it.
+/// Serializes a message as CDR (encoding version 1).
 class CdrText {
  public:
   enum class Order { kLittle, kBig };
@@ -26,7 +26,7 @@ class CdrText {
   /// A std_msgs/Header.
   CdrText& header(Stamp stamp, const std::string& frame);
 
-  /// With the four bytes before it.
+  /// The message with its encapsulation header of four bytes.
   [[nodiscard]] const std::string& str() const { return text_; }
 
  private:
@@ -41,7 +41,7 @@ class CdrText {
                                        Stamp stamp, double x,
                                        CdrText::Order order = CdrText::Order::kLittle);
 
-/// The definition of tf2_msgs/msg/TFMessage, as bags have it.
+/// The definition of tf2_msgs/msg/TFMessage, in the form used in bags.
 extern const char* const kTransformsDefinition;
 
 struct TestTopic {
@@ -69,10 +69,10 @@ struct TestBag {
 [[nodiscard]] std::string lz4Frame(std::string_view content);
 
 struct McapStyle {
-  std::size_t chunk = 2;         ///< messages in one; 0: no chunks
+  std::size_t chunk = 2;         ///< messages per chunk; 0: no chunks
   std::string compression = {};  ///< "lz4" or "zstd"
   bool has_index = true;
-  bool has_summary = true;  ///< else it ends behind the data
+  bool has_summary = true;  ///< if not, the file ends after the data
   bool has_checksums = true;
 };
 [[nodiscard]] std::string mcapOf(const TestBag& bag, const McapStyle& style = {});

@@ -25,7 +25,7 @@ class DatasetFiles : public StoreFixture {
     store_->commitScene({0, Stamp{1}}, {{text("a/0.txt", "of a"), text("b/0.txt", "of b")}, {}});
   }
 
-  /// What an action throws.
+  /// The message of the error that an action throws.
   template <class Action>
   static std::string failureOf(const Action& action) {
     try {

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-/// Pixels that no two scenes share.
+/// A picture that differs from scene to scene.
 cv::Mat picture(int seed) {
   cv::Mat image(48, 64, CV_8UC3);
   for (int row = 0; row < image.rows; ++row) {
@@ -37,7 +37,7 @@ cv::Mat picture(int seed) {
 
 class DatasetStoreTest : public StoreFixture {
  protected:
-  /// What commitScene throws.
+  /// The message of the error that commitScene throws.
   static std::string failureOf(DatasetStore& store, std::int64_t index, const SceneFiles& files) {
     try {
       store.commitScene({index, Stamp{0}}, files);
@@ -321,7 +321,7 @@ TEST(DatasetStore, MakesEqualManifestsInEqualRuns) {
   EXPECT_EQ(manifestOfARun(first.path().string()), manifestOfARun((second / "deeper").string()));
 }
 
-/// SQLite's log ends with the run, for which no reader may be there.
+/// SQLite's log is removed at the end of the run, which takes a moment without readers.
 TEST(DatasetStore, EndsWhileOthersReadItsManifest) {
   const test::TemporaryFolder folder;
   const std::string file = (folder / "manifest.sqlite").string();
@@ -334,7 +334,7 @@ TEST(DatasetStore, EndsWhileOthersReadItsManifest) {
         base::SqliteStatement count(manifest, "SELECT count(*) FROM scene");
         while (count.step()) continue;
       } catch (const Error&) {
-        continue;  // it came between the file's making and its tables
+        continue;  // the file was there, but its tables were not yet
       }
     }
   });

@@ -260,7 +260,7 @@ TEST_F(EarlierDatasetTest, OfAKilledRunIsOverwrittenWithAllThatItLeft) {
 
 TEST_F(EarlierDatasetTest, OfARunKilledAmidASceneListsThatScenesFilesButNotTheScene) {
   {
-    // As far as commitScene has come when the second of two files is about to be renamed.
+    // The state in which commitScene is about to rename the second of two files.
     Manifest manifest = Manifest::create(folder_.path().string(), {}, Sync::kBatch, writers(), {});
     manifest.announceScene({0, Stamp{0}}, {{path("a/0.txt"), 0, 1}, {path("a/1.txt"), 0, 1}});
     folder_.write("a/0.txt", "0");

@@ -1,4 +1,4 @@
-/// Going on with a dataset that a run left unfinished.
+/// Resuming a dataset that a run left unfinished.
 
 #include <csignal>
 #include <filesystem>
@@ -42,7 +42,7 @@ class ResumeTest : public StoreFixture {
     store.complete();
   }
 
-  /// Of a run that nothing broke.
+  /// The manifest of an uninterrupted run.
   [[nodiscard]] std::string unbrokenManifest(int scenes) const {
     const test::TemporaryFolder other;
     const std::string folder = other.path().string();

@@ -75,7 +75,7 @@ class ShardsTest : public testing::Test {
     options.source = Source::kShards;
     DatasetStore store(options, writersIn(folder));
     for (int i = 0; i < 2; ++i) {
-      store.takeIn({shard_folders[static_cast<std::size_t>(i)], Shard{i, 2}});
+      store.mergeShard({shard_folders[static_cast<std::size_t>(i)], Shard{i, 2}});
     }
     finish(store, folder);
   }
@@ -108,7 +108,7 @@ TEST_F(ShardsTest, AMergeThatWasBrokenOffGoesOn) {
   {
     StoreOptions options = optionsIn(folder_ + "/all");
     options.source = Source::kShards;
-    DatasetStore(options, writersIn(options.folder)).takeIn({folder_ + "/one", Shard{0, 2}});
+    DatasetStore(options, writersIn(options.folder)).mergeShard({folder_ + "/one", Shard{0, 2}});
   }
   merge(folder_ + "/all", {folder_ + "/one", folder_ + "/two"});
   EXPECT_EQ(test::readFile(folder_ + "/all/manifest.sqlite"), singleRun());

@@ -28,13 +28,13 @@ class StoreFixture : public testing::Test {
   /// Every file and folder below the folder but the manifest, relative to it, sorted.
   [[nodiscard]] std::vector<std::string> tree() const;
 
-  /// A query's rows, columns joined with `|`, NULL as "NULL"; read past our own code for files.
+  /// A query's rows, columns joined with `|`, NULL as "NULL"; read without our own code for files.
   [[nodiscard]] std::vector<std::string> query(const std::string& sql) const;
 
   test::TemporaryFolder folder_;
 };
 
-/// Messages of the ErrorList that making the store throws; none where it throws none.
+/// The messages of the ErrorList that making the store throws; empty if it throws none.
 [[nodiscard]] std::vector<std::string> errorsOf(const StoreOptions& options,
                                                 const std::vector<StoreWriter>& writers);
 

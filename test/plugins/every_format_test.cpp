@@ -16,7 +16,7 @@ namespace every_format_test {
 
 namespace fs = std::filesystem;
 
-/// What has to hold for each of the package's formats.
+/// Expectations for each of the package's formats.
 class EveryFormat : public PluginTest, public testing::WithParamInterface<FormatCase> {
  protected:
   EveryFormat() : PluginTest("synthetic_dataset/" + GetParam().type) {

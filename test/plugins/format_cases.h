@@ -10,22 +10,22 @@
 
 namespace synthetic_dataset {
 
-/// A format with settings: what has to hold for every format is tested with each of these.
+/// A format with settings; the tests of all formats run with each of these.
 struct FormatCase {
   std::string name;  ///< of the test
   std::string type;  ///< "Yolo"
   Value::Map parameters = {};
-  std::int64_t labels_of_a_scene = 2;  ///< in which two objects are seen
+  std::int64_t labels_of_a_scene = 2;  ///< for a scene in which two objects are seen
   bool has_lidar = false;              ///< it writes the clouds of a lidar "top"
-  bool is_of_all_cameras = false;      ///< it has one file an instant, whatever cameras there are
-  std::size_t remarks = 0;             ///< of verify: files of which digests alone are known
+  bool is_of_all_cameras = false;      ///< it has one file per instant for all cameras
+  std::size_t remarks = 0;             ///< of verify: files that are checked by digest only
 };
 
 inline std::ostream& operator<<(std::ostream& stream, const FormatCase& format) {
   return stream << format.name;
 }
 
-/// @return  each format of the package, by type, once at least
+/// @return  each format of the package, at least once
 inline std::vector<FormatCase> formatCases() {
   return {
       {"Bop", "Bop"},

@@ -5,7 +5,7 @@
 
 namespace synthetic_dataset {
 
-/// A model that is a cuboid's eight corners, in their order, and two of its triangles.
+/// A model with the eight corners of a cuboid, in their order, and two of its triangles.
 [[nodiscard]] inline ObjectModel cuboidModel(const Cuboid& cuboid) {
   ObjectModel model;
   for (const Eigen::Vector3d& corner : cuboid.corners()) {

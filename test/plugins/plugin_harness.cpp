@@ -96,7 +96,7 @@ Keypoint PluginTest::keypoint(const std::optional<Eigen::Vector2d>& pixel, doubl
 }
 
 PluginTest::PluginTest(std::string type) : dataset_(handMadeDataset({})), type_(std::move(type)) {
-  // How many scenes there are, and of which motions, is what a test says.
+  // Each test states how many scenes there are, and of which motions.
   dataset_.scene_count = 0;
   dataset_.motions.clear();
 }

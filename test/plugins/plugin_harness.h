@@ -32,13 +32,13 @@ class PluginTest : public testing::Test {
 
   [[nodiscard]] static CameraModel camera() { return handMadeCamera(); }
 
-  /// The same scene as a camera of another focal length [px] has it.
+  /// The same scene for a camera of another focal length [px].
   [[nodiscard]] static Scene zoomed(Scene scene, double focal_length);
 
-  /// Tells the writer of a lidar, "top".
+  /// Tells the writer about a lidar, "top".
   void addLidar();
 
-  /// The scene with a cloud of two points of each object and one of the world.
+  /// Adds a cloud to the scene: two points of each object and one of the world.
   [[nodiscard]] static Scene withCloud(Scene scene);
 
   [[nodiscard]] static SceneObject object(const std::string& name) { return handMadeObject(name); }
@@ -47,7 +47,7 @@ class PluginTest : public testing::Test {
     return handMadeObject(name, pixels);
   }
 
-  /// The mask with all pixels of a rectangle on or off it.
+  /// The mask with all pixels of a rectangle added to it or removed from it.
   [[nodiscard]] static Mask painted(const Mask& mask, const cv::Rect& pixels, bool on);
 
   [[nodiscard]] static Keypoint keypoint(const std::optional<Eigen::Vector2d>& pixel, double depth,
@@ -61,22 +61,21 @@ class PluginTest : public testing::Test {
   /// @param scene  makes the one with an index
   std::vector<Scene> ofTwoCamerasAndSplits(const std::function<Scene(std::int64_t)>& scene);
 
-  /// What became of a scene: path in the writer's folder to text, or to "<image>", "<silhouette
-  /// NAME>",
-  /// "<visible NAME>".
+  /// The files of a scene: path in the writer's folder to text, or to "<image>",
+  /// "<silhouette NAME>", "<visible NAME>".
   [[nodiscard]] std::map<std::string, std::string> filesOf(const Scene& scene) const;
 
-  /// The picture that a scene gets at a path in the writer's folder, as the writer gave it; empty
-  /// where there is none.
+  /// The picture of a scene at a path in the writer's folder, as given by the writer; empty for
+  /// none.
   [[nodiscard]] cv::Mat pictureOf(const Scene& scene, const std::string& path) const;
 
-  /// Runs these scenes and the end of the dataset.
+  /// Writes these scenes and finishes the dataset.
   void runAll(const std::vector<Scene>& scenes) const;
 
   [[nodiscard]] std::string folder() const { return (folder_ / "w/").string(); }
 
   test::TemporaryFolder folder_;
-  DatasetInfo dataset_;  ///< that the writer is told of; with the camera alone unless a test adds
+  DatasetInfo dataset_;  ///< given to the writer; has only the camera unless a test adds more
   Parameters parameters_{Value::Map{}};
   std::unique_ptr<output::WriterHost> host_;
 

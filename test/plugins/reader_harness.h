@@ -13,7 +13,7 @@
 
 namespace synthetic_dataset::formats {
 
-/// The files of a scene, and what a format's reader makes of them.
+/// The files of a scene, and what a format's reader finds in them.
 class ReaderTest : public testing::Test {
  protected:
   /// @param format  "Yolo"

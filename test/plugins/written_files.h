@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::test {
 
-/// A file's bytes; empty where there is none.
+/// A file's bytes; empty if there is no file.
 inline std::string contentOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -22,10 +22,10 @@ from sensor_msgs.msg import Image
 from std_msgs.msg import Int64, String
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-PICTURE = '/preview/camera/image_labels'  # as preview.rviz has it
+PICTURE = '/preview/camera/image_labels'  # as in preview.rviz
 FOLDER = pathlib.Path(sys.argv.pop() if len(sys.argv) > 1 else '.')
 PATIENCE = 120.0  # [s] until RViz has started and drawn
-ALIKE = 0.8  # correlation of a picture with where it is on the screen, in a small panel without smoothing
+ALIKE = 0.8  # correlation of a picture with its place on the screen, in a small panel without smoothing
 
 
 @contextlib.contextmanager
@@ -79,7 +79,7 @@ def picture_of(message):
 
 class RViz(unittest.TestCase):
     def shows(self, picture, name):
-        """RViz draws when it has the time to, so the screen is looked at until it shows the picture."""
+        """RViz draws when it has time, so the screen is polled until it shows the picture."""
         end = time.monotonic() + PATIENCE
         best = 0.0
         while best < ALIKE and time.monotonic() < end:
@@ -106,7 +106,7 @@ class RViz(unittest.TestCase):
             later = picture_of(awaited(
                 PICTURE, Image, lambda message: not numpy.array_equal(picture_of(message), first)))
             after = self.shows(later, 'later')
-            # Two scenes of one hall are alike; the screen has to be more like the one that is shown.
+            # Two scenes of one hall are similar; the screen has to be more like the current one.
             self.assertGreater(after, likeness(first, cv2.imread(str(FOLDER / 'later.png'))))
 
 

@@ -104,7 +104,7 @@ class Scenes(DatasetCase):
         for scene, each in self.seen():
             depth = scene.depth[each.mask]
             self.assertEqual(depth.dtype, np.float32)
-            self.assertLess(abs(np.median(depth) - each.X_CO[2, 3]), 1.0)  # [m], as large as it is
+            self.assertLess(abs(np.median(depth) - each.X_CO[2, 3]), 1.0)  # [m], its size
 
     def test_have_the_depth_that_bop_rounds(self):
         for scene in self.dataset:
@@ -206,7 +206,7 @@ class OfCocoAlone(DatasetCase):
 
 
 class OfBoxesAlone(DatasetCase):
-    """A format that asks for no masks: what was not measured is None."""
+    """A format that needs no masks: what was not measured is None."""
 
     WRITERS = ('writers: [{name: yolo, type: synthetic_dataset/Yolo}]\n'
                'yolo: {main_list: list.txt}\n')
@@ -233,7 +233,7 @@ class Faults(unittest.TestCase):
     def test_masks_of_the_manifest_are_read(self):
         expected = np.zeros((4, 300), bool)
         expected[1, 41:300] = expected[2, 40:200] = True
-        # The box at 40, 1 of 260 x 2: 1 off, 419 on, 100 off; seven bits a byte, the lowest first.
+        # A box of 260 x 2 at (40, 1): 1 off, 419 on, 100 off; seven bits per byte, lowest first.
         np.testing.assert_array_equal(
             mask_of_bytes(bytes([40, 1, 132, 2, 2, 1, 163, 3, 100]), 4, 300), expected)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The documentation: for whom each page is, and that its links lead somewhere."""
+"""The documentation: each page says whom it is for, and its links have targets."""
 import pathlib
 import re
 import unittest
@@ -17,12 +17,12 @@ def pages():
 
 
 def text_of(page):
-    """Without blocks of code, in which brackets are no links."""
+    """The page without blocks of code, in which brackets are not links."""
     return re.sub(r'^```.*?^```', '', page.read_text('utf-8'), flags=re.DOTALL | re.MULTILINE)
 
 
 def anchors_of(page):
-    """As GitHub makes them of headings."""
+    """The anchors that GitHub makes from headings."""
     return {re.sub(r'[^\w\- ]', '', heading.strip().lower()).replace(' ', '-')
             for heading in re.findall(r'^#+ (.*)$', text_of(page), flags=re.MULTILINE)}
 

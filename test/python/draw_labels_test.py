@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`draw_labels` for one scene, for all, and as a film."""
+"""`draw_labels` for one scene, for all scenes, and as a video."""
 import subprocess
 import unittest
 

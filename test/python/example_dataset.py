@@ -7,7 +7,7 @@ import unittest
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TIMEOUT = 300.0  # [s], for a program that hangs
 
-# What the example has of world, objects and recording, with formats and splits of our own.
+# Formats and splits for the example's world, objects and recording.
 WRITERS = '''
 writers:
   - {name: coco, type: synthetic_dataset/Coco}
@@ -24,7 +24,7 @@ RATE = 2.0  # [Hz], from 0.4 s on, when all objects are known
 
 
 def run(program, *arguments):
-    """What a program of the package prints, and its exit code."""
+    """The exit code of a program of the package, and what it prints."""
     found = subprocess.run(['catkin_find', '--first-only', '--libexec', 'synthetic_dataset',
                             program], stdout=subprocess.PIPE, universal_newlines=True, check=True)
     ended = subprocess.run([found.stdout.strip(), *map(str, arguments)], timeout=TIMEOUT,

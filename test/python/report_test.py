@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`report`: what its page says, against the manifest, and that it needs nothing else."""
+"""`report`: its page against the manifest, and that it needs nothing else."""
 import html.parser
 import json
 import re
@@ -24,7 +24,7 @@ from synthetic_dataset.report.variety import Variety
 
 
 class Page(html.parser.HTMLParser):
-    """A page's tags with their attributes, and its text; each tag that is opened is closed."""
+    """A page's tags with their attributes, and its text; checks that each opened tag is closed."""
 
     EMPTY = {'img', 'meta', 'input', 'br', 'link', 'hr'}
 
@@ -112,7 +112,7 @@ class Report(DatasetCase):
         before = self.file.read_bytes()
         code, text = run('verify', self.folder)
         self.assertEqual(code, 0, text)
-        (self.folder / 'coco/images/train/00000002.png').unlink()  # which the run makes again
+        (self.folder / 'coco/images/train/00000002.png').unlink()  # the run makes it again
         code, text = self.generate()
         self.assertEqual(code, 0, text)
         self.assertEqual(self.file.read_bytes(), before)
@@ -192,7 +192,7 @@ class OfLidars(DatasetCase):
         return code, text
 
     def points_in_files(self):
-        """How many points each sweep has, in the order of scenes."""
+        """The number of points of each sweep, in the order of scenes."""
         files = sorted(self.folder.rglob('*.pcd.bin'), key=lambda file: file.name)
         return [file.stat().st_size // 20 for file in files]
 
@@ -227,7 +227,7 @@ class OfLidars(DatasetCase):
 
 
 class OfRecordedPictures(DatasetCase):
-    """The example's pictures, in which a visitor stands of whom the world knows nothing."""
+    """The example's pictures, with a visitor who is missing in the world."""
 
     @classmethod
     def generate(cls, *arguments):
@@ -297,7 +297,7 @@ class LearntByHeart(DatasetCase):
         for x in range(0, 320, 40):
             striped[:, x:x + 20] = 160
         striped = Image.fromarray(striped)
-        # A small pixel in two has another tone at its right, of 32 of 63.
+        # The image shrinks to 64 columns. Half of the 32 striped ones have another tone at their right.
         self.assertAlmostEqual(detail(striped, np.zeros((0, 4))), 16 / 63, delta=0.02)
         self.assertEqual(detail(striped, np.array([[0, 0, 0.5, 0.75]])), 0)
         self.assertTrue(np.isnan(detail(striped, np.array([[0, 0, 1, 0.75]]))))

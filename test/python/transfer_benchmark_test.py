@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""benchmark/transfer: its rows, its table, and that nothing is made twice. Programs are faked."""
+"""benchmark/transfer: its rows, its table, and that nothing is made twice. The programs are fakes."""
 import json
 import pathlib
 import sys
@@ -18,7 +18,7 @@ from results import Results  # noqa: E402
 from rows import ROWS, Row  # noqa: E402
 from table import table  # noqa: E402
 
-# Makes a manifest that says what it was made of, and notes that it was called. A model 'broken' fails.
+# Makes a manifest with what it was given, and logs the call. The model 'broken' fails.
 GENERATE = '''
 import hashlib, json, os, sqlite3, sys
 given = json.load(open(sys.argv[2]))
@@ -45,7 +45,7 @@ database.executemany('INSERT INTO setting VALUES (?, ?, ?)', [
 database.commit()
 '''
 
-# AP50 by row and seed, that of `better` the best; a full training finds more.
+# AP50 depends on row and seed, and is best for `better`; a full training finds more.
 TRAIN = '''
 import json, sys
 row = sys.argv[1].split('/')[-3]
@@ -72,7 +72,7 @@ class Running(unittest.TestCase):
         self.train = f'{sys.executable} {self.folder}/train.py'
 
     def run_(self, rows, confirm=2, seeds=2, full=False, scenes=5, model='model://crate'):
-        """(results, the benchmark, what was called for it)"""
+        """(results, the benchmark, the log of its calls)"""
         self.log.write_text('')
         arguments = types.SimpleNamespace(work=str(self.folder / 'work'), model=model, real='photographs', train=self.train,
                                           scenes=scenes, confirm=confirm, seeds=seeds, full=full)

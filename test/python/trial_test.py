@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`try_training`, but for the network: what it reads, how it judges, what its page says. No test needs torch."""
+"""`try_training` without the network: what it reads, how it judges, what its page says. No test needs torch."""
 import contextlib
 import io
 import os
@@ -24,7 +24,7 @@ CLASSES = {0: 'rover', 3: 'drone'}
 
 
 def found(rows):
-    """Of rows of [class, left, top, right, bottom, score]."""
+    """Detections from rows of [class, left, top, right, bottom, score]."""
     rows = np.reshape(np.array(rows, float), (-1, 6))
     return Found(rows[:, 1:5], rows[:, 5], rows[:, 0].astype(int))
 
@@ -49,9 +49,9 @@ class Precision(unittest.TestCase):
         self.assertEqual(average_precision([0.9, 0.8], [True, True], 2), 1.0)
         self.assertEqual(average_precision([], [], 2), 0.0)
         self.assertEqual(average_precision([0.9], [False], 1), 0.0)
-        # Precisions of 1, 1/2 and 2/3; one of two is found first, the other at 2/3.
+        # Precisions of 1, 1/2 and 2/3; one of two objects is found first, the other at 2/3.
         self.assertAlmostEqual(average_precision([0.9, 0.8, 0.7], [True, False, True], 2), (51 + 50 * 2 / 3) / 101)
-        # A half of what there is: recalls 0 to 0.5 of 101.
+        # Half of the objects: 51 of 101 recalls, from 0 to 0.5.
         self.assertAlmostEqual(average_precision([0.9], [True], 2), 51 / 101)
 
     def test_is_what_every_threshold_gives(self):
@@ -169,7 +169,7 @@ class Photographs(FolderCase):
 class Samples(FolderCase):
 
     def drawn(self, size=64):
-        """Samples of a grey picture whose label is the red rectangle in it."""
+        """Samples of a grey picture with a red rectangle, which is its label."""
         pixels = np.full((80, 100, 3), 60, np.uint8)
         pixels[20:60, 30:60] = (220, 30, 30)
         Image.fromarray(pixels).save(self.folder / 'a.png')
@@ -190,7 +190,7 @@ class Samples(FolderCase):
                 self.assertGreater(inside.mean() if inside.size else 1.0, 0.95)
                 is_red[max(0, int(top) - 2):int(bottom) + 3, max(0, int(left) - 2):int(right) + 3] = False
                 count += 1
-            # What is left is cut off too much to have a label: of four pictures, a fifth of each.
+            # Red that is left is cut off too much to have a label: a fifth in each of four pictures.
             self.assertLess(is_red.sum(), 4 * 0.25 * 0.15 * 128 * 128)
         self.assertGreater(count, 60)
 
@@ -223,7 +223,7 @@ class Progress(unittest.TestCase):
 
 
 class FakeNetwork:
-    """Finds what a function says of each file, at once."""
+    """Immediately finds what a function returns for each file."""
 
     size, device = 256, 'nothing'
 
@@ -267,7 +267,7 @@ split: {train: 0.5, val: 0.5}
         return found(np.column_stack((truth, np.full(len(truth), 0.9))))
 
     def try_(self, find, real=None, is_stopped=lambda: False, **more):
-        """(what it prints, the page, the network)"""
+        """(its output, the page, the network)"""
         file = self.scratch / 'page.html'
         arguments = types.SimpleNamespace(dataset=str(self.folder), file=str(file), weights=None, minutes=1.0,
                                           real=str(real or self.folder / 'detect' / 'images' / 'val'), **more)

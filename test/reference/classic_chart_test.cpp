@@ -1,4 +1,4 @@
-/// Charts of materials, lights and shapes, beside what Gazebo Classic 11 made of them.
+/// Charts of materials, lights and shapes, against Gazebo Classic 11's pictures of them.
 
 #include <array>
 #include <cmath>
@@ -27,14 +27,13 @@ namespace classic_chart_test {
 namespace fs = std::filesystem;
 
 /// How far the mean colour of a face may be from Gazebo's, in each channel. Where Gazebo's own
-/// media is not installed, a picture of our own stands in for "Gazebo/Wood", and nobody compares
-/// it.
+/// media is not installed, a picture of our own stands in for "Gazebo/Wood", and is not compared.
 constexpr double kAllowed = 10.0;  // grey levels
 constexpr int kFewestPixels = 60;
 
 fs::path chartFolder() { return test::referenceFolder() / "gazebo/chart"; }
 
-/// A view as look.py of the reference takes it.
+/// A view like those of the reference's look.py.
 render::View viewOf(const std::array<double, 6>& pose) {
   constexpr double kFieldOfView = 1.2;
   constexpr int kWidth = 640, kHeight = 480;
@@ -56,7 +55,7 @@ std::vector<std::array<double, 6>> viewsOf(const fs::path& file) {
   return views;
 }
 
-/// Shadows apart: Gazebo's pictures have none.
+/// The world without shadows, as Gazebo's pictures have none.
 world::Description shadowless(const fs::path& world) {
   const world::ResourceFinder finder({chartFolder().string()}, nullptr);
   world::Description description = world::loadWorld(world.string(), finder);
@@ -64,7 +63,7 @@ world::Description shadowless(const fs::path& world) {
   return description;
 }
 
-/// A link and, where it is flat, a normal in tenths.
+/// A link and, if it is flat, a normal in tenths.
 using Face = std::tuple<int, int, int, int>;
 using Faces = std::map<Face, std::vector<cv::Point>>;
 
@@ -105,7 +104,7 @@ cv::Vec3d meanOf(const cv::Mat& picture, const std::vector<cv::Point>& pixels) {
   return sum / static_cast<double>(pixels.size());
 }
 
-/// What a world's pictures are held against.
+/// A world to be compared with Gazebo's pictures of it.
 class Chart {
  public:
   explicit Chart(const std::string& name)
@@ -120,7 +119,7 @@ class Chart {
     }
   }
 
-  /// Faces that are looked at, and those beyond what is allowed.
+  /// Counts the faces that are compared, and lists those with more than the allowed difference.
   void compare(int& faces, std::vector<std::string>& beyond) {
     render::Renderer renderer(world_.description(), world_.links(), {});
     const std::vector<bool> all(world_.links().size(), true);

@@ -1,4 +1,4 @@
-/// Models that others made: those of the Gazebo model library and robots' URDF files.
+/// Models made by others: those of the Gazebo model library and robots' URDF files.
 
 #include <map>
 #include <string>
@@ -19,7 +19,7 @@ struct Expected {
   std::size_t textures;
 };
 
-/// What each model has of which all, or some, is there.
+/// The contents of each model, all or some of whose files are there.
 const std::map<std::string, Expected> kExpected = {
     {"gazebo/arm_part", {1, 392, 1}},
     {"gazebo/bookshelf", {7, 84, 1}},

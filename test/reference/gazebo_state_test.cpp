@@ -1,4 +1,4 @@
-/// What Gazebo 11 says of worlds before the first step of physics: each model, link, visual and
+/// The state of worlds in Gazebo 11 before the first step of physics: each model, link, visual and
 /// light, and where it is.
 
 #include <cmath>
@@ -51,7 +51,7 @@ bool lacksMesh(const std::string& geometry, const world::ResourceFinder& finder)
   return is_mesh && !finder.find(uri.str(1), "/nowhere");
 }
 
-/// Gazebo 11 gives the names of models within models whole: "robot::arm".
+/// Gazebo 11 gives the full names of models within models: "robot::arm".
 void gatherGazebos(const YAML::Node& model, const world::ResourceFinder& finder, Things& things) {
   const auto name = model["name"].as<std::string>();
   for (const YAML::Node& link : model["links"]) {
@@ -73,7 +73,7 @@ Things thingsOfGazebo(const YAML::Node& state, bool is_model, const world::Resou
     gatherGazebos(model, finder, things);
   }
   for (const YAML::Node& light : state["lights"]) {
-    if (is_model) break;  // the sun is of the world that the model was put into
+    if (is_model) break;  // the sun belongs to the world that the model was put into
     things.emplace("light " + light["name"].as<std::string>(), poseOf(light["pose"]));
   }
   return things;

@@ -11,10 +11,10 @@
 
 namespace synthetic_dataset::test {
 
-/// One recording, and what the original tool wrote for it.
+/// One recording, and the original tool's output for it.
 class GoldenCase {
  public:
-  /// What is recorded of an object in one of the original's frames.
+  /// The data of an object in one of the original's frames.
   struct ObjectFrame {
     std::array<double, 4> box{};  ///< of the projected bounding shape [px]: left top right bottom
     bool behind_camera = false;

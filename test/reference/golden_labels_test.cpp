@@ -1,4 +1,4 @@
-/// Label files against those of the original tool, over the whole way from bag to file.
+/// Label files against those of the original tool, from the bag to the file.
 
 #include <cmath>
 #include <cstdlib>
@@ -28,7 +28,7 @@ constexpr double kTolerance = 1.1e-5;
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 480.0;
 
-/// Equal text, but for numbers that differ by the tolerance.
+/// Whether the texts are equal, except that numbers may differ by the tolerance.
 ::testing::AssertionResult sameLabels(const std::string& ours, const std::string& original) {
   std::istringstream our_words(ours);
   std::istringstream original_words(original);
@@ -47,7 +47,7 @@ constexpr double kHeight = 480.0;
                                            << original;
     }
   }
-  // White space is part of the format: the same text once all digits are made equal.
+  // White space is part of the format: with all digits made equal, the texts have to be the same.
   const auto shape = [](std::string text) {
     for (char& c : text) {
       if (std::isdigit(static_cast<unsigned char>(c)) != 0) c = '0';
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
     Cases, GoldenLabels,
     ::testing::Values(Expected{"example", {"athreos"}, 3, 0},
                       Expected{"nested_late_early", {"bravo", "alpha", "charlie"}, 15, 0},
-                      // From 12.34 s exactly, where the original's rounding loses the first one.
+                      // From exactly 12.34 s; the original's rounding loses the first scene.
                       Expected{"simtime_trunc", {"solo"}, 37, 1}),
     [](const auto& golden) { return golden.param.name; });
 

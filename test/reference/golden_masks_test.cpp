@@ -16,7 +16,7 @@ namespace golden_masks_test {
 
 namespace fs = std::filesystem;
 
-/// [floor(left), ceil(right)) by [floor(top), ceil(bottom)), as far as they are in the image.
+/// The part of [floor(left), ceil(right)) by [floor(top), ceil(bottom)) that is in the image.
 cv::Rect pixelsOf(const std::array<double, 4>& box, const cv::Size& image) {
   const auto index = [](double edge, int limit) {
     return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(limit)));
@@ -33,7 +33,7 @@ class GoldenMasks : public ::testing::TestWithParam<std::string> {};
 TEST_P(GoldenMasks, AreTheOriginalsPixelByPixel) {
   const test::GoldenCase golden(GetParam());
   const fs::path inputs = golden.folder() / "mask_inputs";
-  // The case's own settings; simtime_trunc takes the defaults.
+  // The case's own settings; simtime_trunc uses the defaults.
   const bool defaults = GetParam() == "simtime_trunc";
   label::Mog2Segmenter segmenter({defaults ? 100 : 1, 500.0, false});
   segmenter.train(cv::imread((inputs / "background.png").string()));

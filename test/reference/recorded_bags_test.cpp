@@ -15,7 +15,7 @@ TEST(RecordedBags, AJackalsRunIsReplayed) {
   options.period = motion::periodOf(2.0);
   const motion::Timeline timeline = recording.timeline({"jackal/base_link"}, options);
   EXPECT_NEAR(static_cast<double>(timeline.stamps.size()), 61.18 * 2.0, 2.0);
-  // It drove: its poses differ, smoothly.
+  // The robot drove: its poses change, and smoothly.
   double length = 0.0;
   const motion::FrameId base = *recording.find("jackal/base_link");
   Pose last = recording.knownPose(base, timeline.stamps.front());

@@ -23,7 +23,7 @@ using testing::AnyOf;
 using testing::Each;
 using testing::HasSubstr;
 
-/// Files without their end: no parser takes them.
+/// Files whose end is missing, which no parser accepts.
 bool isTorn(const std::string& file) {
   const std::string name = fs::path(file).parent_path().filename().string();
   return name == "green_ball" || name == "hospital_map" || name == "hospital_flat_map";
@@ -41,7 +41,7 @@ std::vector<std::string> filesBelow(const fs::path& root) {
   return files;
 }
 
-/// What loading a file complains of.
+/// The errors when a file is loaded.
 std::vector<std::string> complaints(const std::string& file, const world::ResourceFinder& finder,
                                     world::OnMissingAsset on_missing) {
   world::LoadOptions options;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Worlds of others, found as their users' environment would have them found.
+/// Worlds made by others, found as in their users' environment.
 
 #include <filesystem>
 #include <string>
@@ -25,7 +25,7 @@ struct ReferenceWorld {
 /// The finder of a repository's files: each folder that holds models or packages.
 [[nodiscard]] world::ResourceFinder finderFor(const std::filesystem::path& root);
 
-/// Loads a world, and leaves out what is missing.
+/// Loads a world without its missing parts.
 [[nodiscard]] world::Description loadReferenceWorld(const ReferenceWorld& world);
 
 }  // namespace synthetic_dataset::test

@@ -1,4 +1,4 @@
-/// Robots that others have made, in recordings that others have made.
+/// Robots made by others, in recordings made by others.
 
 #include <cstdlib>
 #include <filesystem>

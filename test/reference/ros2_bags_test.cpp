@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct Outcome {
   std::size_t messages = 0;  ///< whose content was read
-  std::string refusal;       ///< or what is said of it
+  std::string refusal;       ///< or the error
 };
 
 /// Reads all that can be read.

@@ -1,5 +1,5 @@
-/// What libsdformat says of the reference data's worlds and models, where it reads them: each pose,
-/// shape, colour, light and camera, held against what is read here.
+/// Worlds and models of the reference data, against libsdformat if it reads them: each pose, shape,
+/// colour, light and camera is compared with what this package reads.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 using testing::IsEmpty;
 
-/// Of a file, by name: numbers that describe a thing.
+/// The numbers that describe each thing of a file, by name.
 using Facts = std::map<std::string, std::vector<double>>;
 
 constexpr double kTolerance = 1e-9;
@@ -82,7 +82,7 @@ class Oracle {
       facts["direction of light " + name] = vectorOf(light.Direction());
     }
     facts["shadow of light " + name] = {light.CastShadows() ? 1.0 : 0.0};
-    // What comes from far away is not weakened.
+    // Directional light is not attenuated.
     if (light.Type() != sdf::LightType::DIRECTIONAL && light.Element()->HasElement("attenuation")) {
       facts["attenuation of light " + name] = {
           light.AttenuationRange(), light.ConstantAttenuationFactor(),
@@ -115,7 +115,7 @@ class Oracle {
     }
   }
 
-  /// The whole lengths along the axes, of simple shapes alone.
+  /// The full lengths along the axes; only for simple shapes.
   void addShape(const std::string& name, const Pose& X_LS, const sdf::Geometry& geometry) {
     std::vector<double> size;
     if (const sdf::Box* box = geometry.BoxShape()) size = vectorOf(box->Size());
@@ -162,7 +162,7 @@ struct ExtentOf {
 
 std::vector<double> numbersOf(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What is read here, under the same names. Lights are taken from Gazebo's shadows setting back.
+/// This package's facts, under the same names. Lights are taken from Gazebo's shadows setting back.
 Facts factsOf(const world::Description& world) {
   Facts facts;
   for (const world::Model& model : world.models) {
@@ -199,7 +199,7 @@ Facts factsOf(const world::Description& world) {
   return facts;
 }
 
-/// Meshes have vertices of single precision, and round ones corners within the circle.
+/// Meshes have vertices of single precision, and round ones have their corners on the circle only.
 bool areEqual(const std::string& name, double a, double b) {
   const bool is_mesh = name.rfind("size of visual", 0) == 0;
   return std::abs(a - b) <= (is_mesh ? 0.02 * std::max(1e-3, std::abs(a)) : kTolerance);
@@ -222,7 +222,7 @@ std::vector<std::string> differences(const Facts& oracle, const Facts& ours) {
   return result;
 }
 
-/// libsdformat's facts of a file, or none where it finds anything wrong with it.
+/// libsdformat's facts of a file; none if it reports an error.
 Facts oracleOf(const std::string& file, const world::ResourceFinder& finder) {
   sdf::setFindCallback([&](const std::string& uri) {
     const auto found = finder.find(uri, fs::path(file).parent_path());
@@ -236,7 +236,7 @@ Facts oracleOf(const std::string& file, const world::ResourceFinder& finder) {
     return {};
   }
   if (const sdf::World* world = root.WorldByIndex(0)) {
-    if (world->Element()->HasElement("state")) return {};  // which it does not apply
+    if (world->Element()->HasElement("state")) return {};  // which libsdformat does not apply
     for (std::uint64_t i = 0; i < world->ModelCount(); ++i) {
       const sdf::Model& model = *world->ModelByIndex(i);
       oracle.addModel(model, resolved(model.SemanticPose()), model.Name());

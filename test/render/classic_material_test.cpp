@@ -1,4 +1,4 @@
-/// What surfaces look like in worlds for Gazebo Classic: pixels by OGRE 1's formula
+/// The look of surfaces in worlds for Gazebo Classic: pixels by OGRE 1's formula
 /// (classic_shading.h), in the numbers of the files.
 
 #include <cmath>

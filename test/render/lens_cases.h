@@ -1,6 +1,6 @@
 #pragma once
 
-/// Lenses to test with, and what tests of them share.
+/// Lenses to test with, and helpers that their tests share.
 
 #include <cstdlib>
 #include <ostream>
@@ -20,7 +20,7 @@ namespace synthetic_dataset::test {
   return material;
 }
 
-/// Ambient light alone; black where nothing is.
+/// A world with ambient light only and a black background.
 [[nodiscard]] inline world::Description dark() {
   world::Description description;
   description.simulator = world::Simulator::kGz;
@@ -91,7 +91,7 @@ inline const LensCase kDoubleSphere{"double_sphere",
                                      100.0,
                                      {DistortionModel::kDoubleSphere, {-0.21, 0.58}}}};
 
-/// Keeps a picture for looking at where the environment names a folder for it.
+/// Saves a picture for inspection if the environment names a folder for it.
 inline void keep(const cv::Mat& picture, const std::string& name) {
   const char* folder = std::getenv("SYNTHETIC_DATASET_KEEP_PICTURES");
   if (folder != nullptr) cv::imwrite(std::string(folder) + "/" + name + ".png", picture);

@@ -1,4 +1,4 @@
-/// Worlds that are lit and painted anew, against worlds that were described so from the start.
+/// Worlds that are relit and repainted, against worlds that were described so from the start.
 
 #include <array>
 #include <functional>
@@ -108,7 +108,7 @@ class Looks : public testing::Test {
         {-3, 0, 1.2}, Eigen::Quaterniond(R_WC) * Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitX()));
   }
 
-  /// What makes the yard that a renderer was made with look like another one.
+  /// The look that makes a renderer's own yard look like another one.
   [[nodiscard]] world::Look lookOf(const Yard& yard) const {
     world::Look look(yard.description);
     for (std::size_t thing = 0; thing < kThings; ++thing) {
@@ -126,14 +126,14 @@ class Looks : public testing::Test {
     return renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
   }
 
-  /// One picture by a renderer that wore the looks of these yards one after the other.
+  /// One picture by a renderer that was given the looks of these yards one after the other.
   [[nodiscard]] cv::Mat drawWearing(const std::vector<Yard>& yards) const {
     const auto renderer = makeRenderer();
     for (const Yard& yard : yards) renderer->setLook(lookOf(yard));
     return draw(*renderer);
   }
 
-  /// One picture by a renderer that knows nothing but this yard, things being where they are now.
+  /// One picture by a new renderer that knows only this yard, with things where they are now.
   [[nodiscard]] cv::Mat drawAnew(const Yard& yard) const {
     Stage anew = yard.stage();
     anew.poses() = stage.poses();
@@ -153,7 +153,7 @@ class Looks : public testing::Test {
     stage.poses()[kCup] = at(-1, t - 0.5, 0.15);
   }
 
-  /// Pictures in which things move before a camera that stands still, a look each.
+  /// Compares pictures, each in a look of its own, of things that move before a static camera.
   void expectKeptPicturesAsDescribed(const std::vector<Yard>& looks) {
     std::vector<cv::Mat> pictures;
     {
@@ -242,7 +242,7 @@ TEST_F(Looks, PutMapsOnAndTakeThemOff) {
   expectAsDescribed(yard);
 }
 
-/// The renderer is then the only other one that holds them.
+/// Here the renderer is the only other owner of the textures.
 TEST_F(Looks, LeaveTheWorldItsOwnTextures) {
   const Stage lone = Yard().stage();
   Renderer renderer(original.description, lone.links(), options);
@@ -309,7 +309,7 @@ TEST_F(Looks, MultiplyWithTheExposure) {
   EXPECT_EQ(cv::norm(found, drawExposed(renderer), cv::NORM_INF), 0.0);
 }
 
-/// Most of a picture is kept from the third one on.
+/// From the third picture on, most pixels are kept from the picture before.
 TEST_F(Looks, CountForKeptPictures) {
   const Yard a;
   const Yard b = repainted();
@@ -323,7 +323,7 @@ TEST_F(Looks, CountWhereNothingIsKept) {
   expectKeptPicturesAsDescribed({a, a, b, b, a});
 }
 
-/// Several pictures in each look: what is kept of one is not shown in the next.
+/// Draws several pictures in each look: pixels kept in one look do not show in the next.
 TEST_F(Looks, DoNotShowWhatWasKeptOfOthers) {
   constexpr int kTimes = 4;
   const std::array<Yard, 2> yards = {original, repainted()};
@@ -347,7 +347,7 @@ TEST_F(Looks, DoNotShowWhatWasKeptOfOthers) {
   }
 }
 
-/// Another thread makes the picture of what was drawn, while the next look is put on.
+/// Another thread may finish a picture while the next look is already set.
 TEST_F(Looks, LeaveAloneWhatWasDrawnBefore) {
   cv::Mat picture;
   {

@@ -1,4 +1,4 @@
-/// What surfaces of each material look like, pixel by pixel.
+/// The look of each material, pixel by pixel.
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ using test::screen;
 using test::Stage;
 using test::takePicture;
 
-/// sRGB's inverse transfer function, as a channel of a picture.
+/// sRGB's encoding of linear light, as a channel value of a picture.
 double encoded(double linear) {
   const double value =
       linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
@@ -29,7 +29,7 @@ double decoded(double channel) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-/// Black but for one light that shines along `direction`.
+/// A black world with one light that shines along `direction`.
 world::Description litAlong(const Eigen::Vector3d& direction, float intensity = 1.0F) {
   world::Description description;
   description.simulator = world::Simulator::kGz;
@@ -42,7 +42,7 @@ world::Description litAlong(const Eigen::Vector3d& direction, float intensity = 
   return description;
 }
 
-/// Diffuse, in linear light, without highlights.
+/// A diffuse material, in linear light, without highlights.
 world::Material matte(float channel) {
   world::Material material;
   material.diffuse = {channel, channel, channel, 1.0F};
@@ -59,13 +59,13 @@ Stage oneScreen(const world::Material& material, float half_width = 1.0F) {
 
 int green(const cv::Mat& image, int u = 32, int v = 24) { return image.at<cv::Vec3b>(v, u)[1]; }
 
-/// A map's pixel for a unit vector of the surface's own frame.
+/// A uniform normal map with a unit vector of the surface's own frame.
 std::shared_ptr<world::Texture> normalMap(const Eigen::Vector3d& normal) {
   const Eigen::Vector3d rgb = 127.5 * (normal.array() + 1.0);
   return plainTexture({rgb.z(), rgb.y(), rgb.x(), 255});
 }
 
-/// How bright a half-grey screen is under a normal map, in linear light, by its own light alone.
+/// The linear brightness of a half-grey screen with a normal map, lit by a single light.
 double brightnessUnder(const Eigen::Vector3d& map_normal, const Eigen::Vector3d& light_direction) {
   world::Material material = matte(0.5F);
   if (!map_normal.isZero()) material.normal_map = normalMap(map_normal);
@@ -124,14 +124,14 @@ TEST(Material, RoughnessMapsSpreadTheHighlight) {
   const auto light = litAlong({0, 0, 1}, 0.5F);
   const double smooth = decoded(green(takePicture(light, oneScreen(material))));
   material.roughness = 1.0F;
-  material.roughness_map = plainTexture({0, 128, 255, 255});  // 0.5 in green alone
+  material.roughness_map = plainTexture({0, 128, 255, 255});  // 0.5, in green only
 
   const double mapped = decoded(green(takePicture(light, oneScreen(material))));
   material.roughness_map = plainTexture({0, 255, 0, 255});
   const double rough = decoded(green(takePicture(light, oneScreen(material))));
 
   EXPECT_NEAR(mapped, smooth, 0.02 * smooth + 0.002) << "the map times the value";
-  // GGX head-on: 1 / (4 alpha^2) of the Fresnel term 0.16, and alpha is roughness squared.
+  // GGX head-on: the Fresnel term 0.16 times 1 / (4 alpha^2), with alpha the roughness squared.
   EXPECT_NEAR(rough, 0.5 * 0.16 * 0.25, 0.003);
   EXPECT_GT(smooth, 5.0 * rough);
 }
@@ -140,7 +140,7 @@ TEST(Material, MetalnessMapsTakeTheDiffuseLightAway) {
   world::Material material = matte(0.5F);
   material.metalness = 1.0F;
   material.metalness_map = halvedTexture({0, 0, 0, 255}, {255, 0, 0, 255});
-  // Light from far aside, so that the metal's highlight is elsewhere.
+  // Light from far to the side, so that the metal's highlight is elsewhere.
   const cv::Mat image =
       takePicture(litAlong({-std::sin(1.2), 0, std::cos(1.2)}), oneScreen(material));
 

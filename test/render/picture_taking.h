@@ -10,8 +10,8 @@ namespace synthetic_dataset::test {
 /// A small camera at the origin of the world that looks along +z; the pixel (32, 24) is its middle.
 inline const CameraModel kSmallCamera(65, 49, {60.0, 60.0, 32.0, 24.0}, 0.05, 100.0);
 
-/// A square of two triangles at depth `z`, facing the camera: +x is right, +y down. The texture's
-/// u grows to the right and its v downwards, from 0 to 1.
+/// A square of two triangles at depth `z` that faces the camera: +x is right, +y down. The texture
+/// coordinates u and v go from 0 to 1 rightwards and downwards.
 [[nodiscard]] inline std::shared_ptr<world::Mesh> screen(float half_width, float z) {
   auto mesh = std::make_shared<world::Mesh>();
   for (const auto& [u, v] : {std::pair{0.0F, 0.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}, {1.0F, 0.0F}}) {

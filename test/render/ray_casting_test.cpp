@@ -1,4 +1,4 @@
-/// Labels against rays: what a pixel shows, found without drawing anything.
+/// Labels against ray casts, which find what a pixel shows without drawing.
 
 #include <cmath>
 #include <random>
@@ -42,8 +42,8 @@ std::shared_ptr<const world::Mesh> triangleSoup(std::mt19937& random, int count)
   return mesh;
 }
 
-/// Things of all shapes in a cube of 4 m, some of them inside one another; every third one is
-/// nobody's.
+/// Things of all shapes in a cube of 4 m, some of them inside one another; every third one belongs
+/// to no object.
 struct RandomWorld {
   explicit RandomWorld(std::mt19937& random) {
     world::Material surface;
@@ -66,13 +66,13 @@ struct RandomWorld {
   std::vector<bool> is_flat;  ///< whether a link's normals are those of its triangles
 };
 
-/// Looking at the middle of the world, more or less, from some distance [m].
+/// A camera that looks roughly at the middle of the world from a distance [m].
 Pose randomView(std::mt19937& random, double distance) {
   const Pose X_WD = makePose(randomPoint(random, 0.5), randomOrientation(random));
   return X_WD * Eigen::Translation3d(0, 0, -distance);
 }
 
-/// One ray's view, in the camera's frame.
+/// What one ray hits, in the camera's frame.
 struct Sight {
   int id = 0;
   int link = 0;
@@ -88,7 +88,7 @@ class Caster {
   Caster(const Stage& stage, const View& view)
       : stage_(stage), view_(view), rays_(stage.links(), stage.poses()) {}
 
-  /// Nothing where the lens sees nothing.
+  /// Returns nothing for pixels at which the lens sees nothing.
   [[nodiscard]] std::optional<Sight> look(const Eigen::Vector2d& pixel) const {
     const auto ray_C = view_.camera.ray(pixel);
     if (!ray_C) return std::nullopt;
@@ -103,7 +103,7 @@ class Caster {
     return sight;
   }
 
-  /// Whether something else, or another side of the same, is within a small step of the pixel.
+  /// Whether another link, or another face of the same, is within a small step of the pixel.
   [[nodiscard]] bool isEdge(const Eigen::Vector2d& pixel, double step) const {
     const auto here = look(pixel);
     for (int i = 0; i < 25; ++i) {
@@ -113,7 +113,7 @@ class Caster {
       if (here->link == 0) continue;
       constexpr double kCrease = 0.9;  // cosine of the angle between two faces
       if (there->normal_C.dot(here->normal_C) < kCrease) return true;
-      // Where the ray would be if the surface were flat.
+      // The range of the neighbouring ray if the surface were flat.
       const double flat =
           here->range * here->normal_C.dot(here->ray_C) / here->normal_C.dot(there->ray_C);
       if (!(std::abs(there->range - flat) < tolerance(here->range))) return true;
@@ -151,7 +151,7 @@ bool agrees(const Sight& sight, const LabelImages& labels, int v, int u, bool is
 }
 
 /// Casts rays through random pixels of random worlds.
-/// @param edge_step  [px] how far from its centre a pixel may have looked
+/// @param edge_step  [px] how far from its centre a pixel may have been sampled
 /// @param distance  [m] from the camera to the middle of the world, more or less
 Agreement castRays(const CameraModel& camera, unsigned seed, double distance, int worlds, int rays,
                    double edge_step) {
@@ -193,7 +193,7 @@ TEST(RayCasting, FindsWhatAPinholeCamerasLabelsSay) {
   EXPECT_LT(agreement.edges, 100) << "one in a thousand";
 }
 
-/// Each pixel's own ray, whatever the lens.
+/// Casts each pixel's own ray, through any lens.
 class LensRays : public ::testing::TestWithParam<test::LensCase> {};
 
 TEST_P(LensRays, SeeWhatLabelsSay) {
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(RayCasting, LensRays,
                                            test::kOmnidirectional),
                          [](const auto& each) { return std::string(each.param.name); });
 
-/// Which pixels of the image, and of as many again on each side, see a link: surely, or at an edge.
+/// The pixels that see a link, in the image and in an area of its size on each side.
 struct CastSilhouette {
   cv::Mat hits;   ///< of three times the image's size, the image in its middle
   cv::Mat edges;  ///< pixels whose centre is so near to an edge that either answer is right

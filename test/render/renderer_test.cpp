@@ -33,7 +33,7 @@ world::Material coloured(float red, float green, float blue) {
   return material;
 }
 
-/// No lights: what is drawn has its own colour under an ambient light of 1 from all around.
+/// A world without lights, in which an ambient light of 1 gives everything its own colour.
 world::Description unlit() {
   world::Description description;
   description.simulator = world::Simulator::kGz;
@@ -191,7 +191,7 @@ TEST(Renderer, ColoursAreThoseOfTheMaterialInOpenCvsOrder) {
   stage.addBox({4, 4, 0.1}, at(0, 0, 3), -1, coloured(0.75F, 0.5F, 0.25F));
   world::Description description = unlit();
   Renderer renderer(description, stage.links(), {});
-  // The board faces away from "up" by 90 degrees, where the ambient light is between its extremes.
+  // The board's normal is at 90 degrees to "up", where the ambient light is between its extremes.
   View view = viewFromOrigin();
   view.X_WC = makePose({0, 0, 0}, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
                                                                      -Eigen::Vector3d::UnitZ()));
@@ -255,7 +255,7 @@ class Shadows : public ::testing::Test {
     view.X_WC = makePose({0, 0, 5}, Eigen::Quaterniond(R_WC));
   }
 
-  /// Brightness of the floor at a place, after the picture was taken.
+  /// The brightness of the floor at a place, once the picture has been taken.
   int floorAt(const cv::Mat& image, double x, double y) const {
     const auto pixel = kCamera.project(view.X_WC.inverse() * Eigen::Vector3d(x, y, 0));
     return image.at<cv::Vec3b>(static_cast<int>(std::lround(pixel->y())),
@@ -302,7 +302,7 @@ TEST_F(Shadows, OfASpotLightSpreadFromTheLamp) {
   EXPECT_LT(floorAt(image, near_edge - 0.3, 0.0), 0.6 * floorAt(image, near_edge + 0.5, 0.0));
 }
 
-/// Maps are kept from picture to picture where they can be.
+/// Shadow maps are kept from picture to picture if possible.
 TEST_F(Shadows, AreTheSameWhateverWasDrawnBefore) {
   description.lights[0].direction_L = Eigen::Vector3d(1, 0, -1).normalized();
   world::Light lamp = description.lights[0];
@@ -385,7 +385,7 @@ TEST(Renderer, SeesFarFromTheOriginAsClearlyAsAtIt) {
   EXPECT_LE(cv::countNonZero(here != there), 2);
 }
 
-/// The first eight lights are compiled in another way than those after them.
+/// The code for the first eight lights is compiled differently from that for the others.
 TEST(Renderer, ManyLightsAddUp) {
   Stage stage;
   stage.addBox({1, 1, 1}, makePose({0, 0, 4}, Eigen::Quaterniond(0.9, 0.1, 0.4, 0.2)), -1,

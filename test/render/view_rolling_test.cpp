@@ -59,7 +59,7 @@ class RollingPicture : public testing::TestWithParam<Case> {
     description.ambient = {0.3F, 0.3F, 0.3F};
   }
 
-  /// @param share  of the readout
+  /// @param share  how much of the readout has passed
   [[nodiscard]] RollingMoment momentAt(double share) const {
     RollingMoment moment{share * kHeight - 0.5, Pose::Identity(), stage.poses()};
     if (GetParam().rides) {
@@ -86,8 +86,8 @@ class RollingPicture : public testing::TestWithParam<Case> {
     return {stage.all(), stage.all(), sampling};
   }
 
-  /// How many pixels of a picture differ by more than one grey level from those of a picture that
-  /// is wholly of their row's time.
+  /// How many pixels of a picture differ by more than one grey level from those of a picture taken
+  /// entirely at their row's time.
   [[nodiscard]] int unlikeTheirRows(Renderer& renderer, const RollingView& rolling,
                                     Sampling sampling, const cv::Mat& picture) const {
     int different = 0;
@@ -192,13 +192,13 @@ TEST_P(RollingPicture, HasItsRowsUnderASkyInBands) {
   EXPECT_EQ(cv::norm(picture(rows), expected(rows), cv::NORM_INF), 0.0);
 }
 
-/// What rays meet at the time of one row, found without drawing anything.
+/// Ray casts at the time of one row.
 class RowOfRays {
  public:
   RowOfRays(const test::Stage& stage, const RollingView& view, int row)
       : moment_(view.at(row)), camera_(view.camera), rays_(stage.links(), moment_.X_WL) {}
 
-  /// The link's index + 1, 0 for nothing, and how far away it is.
+  /// The index + 1 of the link that is hit, 0 for none, and its distance.
   [[nodiscard]] std::pair<int, double> look(const Eigen::Vector2d& pixel) const {
     const auto ray_C = camera_.ray(pixel);
     if (!ray_C) return {-1, 0.0};
@@ -207,7 +207,7 @@ class RowOfRays {
     return hit ? std::pair(static_cast<int>(hit->link) + 1, hit->distance) : std::pair(0, 0.0);
   }
 
-  /// Whether something else is within a small step.
+  /// Whether another link or a jump in distance is within a small step.
   [[nodiscard]] bool isEdge(const Eigen::Vector2d& pixel) const {
     constexpr double kStep = 0.05;  // [px]
     const auto here = look(pixel);
@@ -287,7 +287,7 @@ TEST_P(RollingPicture, ItsSilhouettesAreWhatItsLabelsHaveOfEachObjectAlone) {
   }
 }
 
-/// Beside other lenses' images, pixels are counted in cells.
+/// Pinholes only: outside of other lenses' images, pixels are counted by cell.
 class RollingPinhole : public RollingPicture {};
 
 TEST_P(RollingPinhole, ItsSilhouettesGoOnBesideTheImage) {
@@ -300,7 +300,7 @@ TEST_P(RollingPinhole, ItsSilhouettesGoOnBesideTheImage) {
   LinkSelection ball(stage.links().size(), false);
   ball[3] = true;
   const Silhouette silhouette = renderer.silhouette(rolling, ball);
-  // A picture of the same rows that reaches farther.
+  // A picture of the same rows that is wider.
   RollingView wide = rolling;
   Intrinsics k = rolling.camera.intrinsics();
   k.cx += kWidth;

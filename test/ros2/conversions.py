@@ -1,8 +1,8 @@
-"""Bags of ROS 2 that rosbags-convert makes of the example's: their datasets have the bytes of the ROS 1 bag's.
+"""ROS 2 bags that rosbags-convert makes from the example's: their datasets have the bytes of the ROS 1 bag's.
 
     conversions.py [--times] [FOLDER]
 
-FOLDER keeps bags and datasets. --times compares, too, how long an hour of TF takes as a bag of each kind, and how much
+FOLDER keeps bags and datasets. --times also compares how long an hour of TF takes as a bag of each kind, and how much
 memory.
 """
 import filecmp
@@ -44,7 +44,7 @@ RUNS = {
              'camera: {{image_topic: /camera/color/image_raw/compressed, time_offset: -0.037}}\n'
              'twin: {{cloud_topic: /lidar/points}}\n',
 }
-# What says which files were read, and when.
+# The rows that tell which files were read, and when.
 INPUTS = {'input': None, 'setting': "name NOT LIKE 'bag_file%'", 'run': "key NOT LIKE '%digest%'"}
 
 
@@ -53,7 +53,7 @@ def convert(source, target, options):
 
 
 def split(source, target):
-    """The three files of a database of rosbag2 that is split by time."""
+    """Splits a rosbag2 database by time into three files."""
     (database,) = source.glob('*.db3')
     target.mkdir()
     names = []
@@ -71,7 +71,7 @@ def split(source, target):
 
 
 def write_cloud(path, pictures):
-    """The pictures' bag, and a cloud of a wall 2 m before the camera's left half with each picture."""
+    """Writes the pictures' bag with a cloud for each picture: a wall 2 m in front of the camera's left half."""
     with rosbag.Bag(str(path), 'w') as bag:
         for topic, message, recorded in rosbag.Bag(str(pictures)).read_messages():
             bag.write(topic, message, recorded)
@@ -94,7 +94,7 @@ def generate(folder, settings, bags):
     folder.mkdir(parents=True)
     text = settings.format(config=REPOSITORY / 'config')
     text += 'bag_file: [' + ', '.join(f'"{bag}"' for bag in bags) + ']\n'
-    # The same for all, as Darknet's lists name files by their whole paths.
+    # The same folder for all, as Darknet's lists name files by their full paths.
     made = folder.parents[1] / 'made'
     text += f'output_folder: {made}\n'
     (folder / 'settings.yaml').write_text(text, 'utf-8')
@@ -105,7 +105,7 @@ def generate(folder, settings, bags):
 
 
 def rows_of(manifest, bags):
-    """All tables but what names inputs."""
+    """The rows of all tables except those that name inputs."""
     rows = {}
     with sqlite3.connect(manifest) as database:
         for (table,) in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'").fetchall():
@@ -133,7 +133,7 @@ def differences(first, other, bags, other_bags):
 
 def check_datasets(folder):
     worlds = REPOSITORY / 'worlds'
-    # Copied, as a dataset has the credits of what lies beside its inputs.
+    # Copied, as a dataset contains the credits found beside its inputs.
     sources = {name: folder / f'{name}.bag' for name in ('example', 'example_pictures')}
     for name, copy in sources.items():
         shutil.copy(worlds / f'{name}.bag', copy)
@@ -163,7 +163,7 @@ def check_datasets(folder):
 
 
 def write_hour(path):
-    """1.2 million transforms: 100 messages of 3 or 4 frames a second."""
+    """Writes 1.2 million transforms: 100 messages per second, of 3 or 4 frames each."""
     with rosbag.Bag(str(path), 'w') as bag:
         for i in range(360000):
             now = rospy.Time(1000 + i // 100, i % 100 * 10000000)

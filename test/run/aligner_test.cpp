@@ -1,4 +1,4 @@
-/// Pictures of which it is known how far their camera's clock and frame are from TF's.
+/// Pictures whose camera's clock and frame differ from TF's by known amounts.
 
 #include "run/align/aligner.h"
 #include "run/live/json_values.h"
@@ -36,13 +36,13 @@ distortion_model: plumb_bob
 distortion_coefficients: {rows: 1, cols: 5, data: [-0.1, 0.02, 0, 0, 0]}
 )";
 
-/// Where TF has the camera: 3 m before the objects, looking along x and a little down.
+/// The camera's pose in TF: 3 m before the objects, looking along x and a little down.
 Pose recordedPose() {
   const Eigen::Quaterniond body(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()));
   return makePose({-3.0, 0.1, 0.9}, body * Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5));
 }
 
-/// By how much it is wrong: 1.5 degrees and 3 cm.
+/// The error of that pose: 1.5 degrees and 3 cm.
 Pose error() {
   const Eigen::Vector3d axis = Eigen::Vector3d(0.5, -0.7, 0.4).normalized();
   const double angle = 1.5 * std::acos(-1.0) / 180.0;
@@ -52,7 +52,7 @@ Pose error() {
 
 class Align : public test::RunFixture {
  protected:
-  /// @param moves  else all stand still
+  /// @param moves  whether the objects move; otherwise they all stand still
   void record(bool moves) {
     run.folder().write("camera.yaml", kCamera);
     BagBuilder tf(run.folder() / "moving.bag");
@@ -104,7 +104,7 @@ TEST_F(Align, FindsClockAndFrameOfTheCamera) {
   const CameraAlignment found = alignCamera(Value(parameters), {kScenes}, silent);
   EXPECT_TRUE(found.knows_time);
   EXPECT_NEAR(toSeconds(found.time_offset), -0.037, 0.002);
-  // Of a picture a few centimetres of shift look like a turn; together they are known better.
+  // In a picture, a few centimetres of shift look like a turn; both together are known better.
   EXPECT_LT(turnBetween(found.X_FD, error()), 0.15) << "degrees";
   EXPECT_LT((found.X_FD.translation() - error().translation()).norm(), 0.02);
   EXPECT_LT(found.stddev[kTimeEntry], 0.002);
@@ -118,7 +118,7 @@ TEST_F(Align, FindsTheFocalLengthWhenAsked) {
   parameters["camera"] = Value(camera);
   Reporter silent;
   const CameraAlignment found = alignCamera(Value(parameters), {kScenes, true}, silent);
-  // Objects that are all some 3 m away tell it to a percent.
+  // Objects that are all about 3 m away determine it to a percent.
   EXPECT_NEAR(found.focal_scale, 1.0, 0.02);
   EXPECT_LT(found.stddev[kFocalEntry], 0.02) << "of objects that are 2.5 to 3.5 m away";
   EXPECT_LT(std::abs(found.focal_scale - 1.0), 4.0 * found.stddev[kFocalEntry]);

@@ -22,7 +22,7 @@ Value::Map cameraAt(const Value::Map& camera, double y) {
   return moved;
 }
 
-/// Empty, the same for all tests of the program.
+/// Empties the folder that all tests of the program share, and returns it.
 std::shared_ptr<const TemporaryFolder> emptyFolder() {
   static const auto folder = std::make_shared<const TemporaryFolder>();
   for (const auto& entry : fs::directory_iterator(folder->path())) fs::remove_all(entry);

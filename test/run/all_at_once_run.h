@@ -11,7 +11,7 @@
 
 namespace synthetic_dataset::test {
 
-/// Stops a run after so many scenes.
+/// Stops a run after a number of scenes.
 class StoppingReporter : public run::Reporter {
  public:
   explicit StoppingReporter(std::int64_t scenes) : scenes_(scenes) {}
@@ -25,9 +25,9 @@ class StoppingReporter : public run::Reporter {
 };
 
 /// A small run in which much goes on: a ball that falls, two cameras, noise, masks by background
-/// subtraction, optical flow, which looks at the next scene, and formats with files of the dataset
-/// as a whole and links to files of scenes. All tests have it in the same folder, one after
-/// another, as paths of inputs are part of a dataset.
+/// subtraction, optical flow, which looks at the next scene, and formats with dataset-wide files
+/// and links to files of scenes. All tests use the same folder, one after another, as paths of
+/// inputs are part of a dataset.
 class AllAtOnceRun {
  public:
   AllAtOnceRun();
@@ -45,7 +45,7 @@ class AllAtOnceRun {
   /// made once for all tests that have the same parameters and inputs.
   [[nodiscard]] const std::map<std::string, std::string>& unbroken() const;
 
-  /// What the run says when it may not begin, or go on.
+  /// The errors with which the run refuses to begin or to go on.
   [[nodiscard]] std::vector<std::string> errors() const;
 
   /// Makes a shard.

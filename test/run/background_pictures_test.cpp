@@ -28,14 +28,14 @@ using Files = std::map<std::string, std::string>;
 
 Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
-/// Pixels that have nothing to do with one another, so that what is a pixel off is another picture.
+/// Independent random pixels, so that a shift by one pixel gives a completely different picture.
 cv::Mat noise(const cv::Size& size, std::uint64_t seed) {
   cv::Mat pixels(size, CV_8UC3);
   cv::RNG(seed).fill(pixels, cv::RNG::UNIFORM, 0, 256);
   return pixels;
 }
 
-/// The first column of each row.
+/// The first column of a query's rows.
 std::vector<std::string> listed(const std::string& folder, const std::string& query) {
   const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
                                       base::SqliteDatabase::Mode::kReadOnly);
@@ -123,7 +123,7 @@ TEST_F(BackgroundPictures, OfLightAreNotCutAtWhite) {
   EXPECT_THAT(listed(folder, "SELECT path FROM input"), Contains((pictures / "a.hdr").string()));
 }
 
-/// The same picture is behind the scene with its objects and without them.
+/// The picture behind the scene is the same with its objects and without them.
 TEST_F(BackgroundPictures, AreNotTakenForObjectsBySubtraction) {
   parameters["masks"] = yaml("{method: mog2}");
   parameters["background_subtractor"] = yaml("{history_length: 1, var_threshold: 16}");
@@ -147,7 +147,7 @@ TEST_F(BackgroundPictures, ThatCannotBeDecodedAreNamedBeforeTheFirstScene) {
   EXPECT_THAT(errors(), Contains(HasSubstr("randomize/distractors/textures: picture '")));
 }
 
-/// Two cameras, things that move, masks by subtraction: what a run keeps from picture to picture.
+/// A run that keeps much from picture to picture: two cameras, moving things, masks by subtraction.
 TEST(BackgroundPicturesKept, ChangeNoByte) {
   AllAtOnceRun run;
   const std::string pictures = run.input("pictures");

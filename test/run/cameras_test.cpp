@@ -53,7 +53,7 @@ class CamerasTest : public test::RunFixture {
     return sink.scenes;
   }
 
-  /// The column of alpha's left edge in a row of a mask-like picture of what is red.
+  /// The column of the left edge of alpha, which is red, in a row of a picture.
   static double leftEdge(const cv::Mat& image, int row) {
     for (int u = 0; u < image.cols; ++u) {
       const cv::Vec3b pixel = image.at<cv::Vec3b>(row, u);
@@ -239,7 +239,7 @@ TEST_F(CamerasTest, MotionBlursWhatMovesAndLeavesTheRestAndTheLabels) {
   // The first scene is exposed before the recording begins, and left out.
   const cv::Mat blurred = picture("yolo/00000001.png");
   EXPECT_EQ(test::readFile(file("yolo/00000001.txt")), label);
-  // alpha's front, 2.8 m away, moves 0.2 m in the exposure: 10 px. Before it there is the floor.
+  // alpha's front, 2.8 m away, moves 0.2 m in the exposure: 10 px. In front of it is the floor.
   const int row = 75;
   const int edge = static_cast<int>(leftEdge(sharp, row));
   ASSERT_GT(edge, 10);
@@ -269,7 +269,7 @@ TEST_F(CamerasTest, LabelsOfARollingShutterAreThoseOfItsPicture) {
   recordFastAlpha();
   parameters["masks"] = base::parseYaml("{method: exact}", "test");
   generate();
-  // The first scene's rows would be taken before the recording begins, so that it is left out then.
+  // With a readout time, the first scene would begin before the recording, so it is left out.
   const std::string still = test::readFile(file("stvnet/alpha/mask/00000003.png"));
   setEffects({{"readout_time", Value(0.2)}, {"readout_bands", Value(120)}});
   parameters["if_exists"] = Value("overwrite");
@@ -288,7 +288,7 @@ TEST_F(CamerasTest, LabelsOfARollingShutterAreThoseOfItsPicture) {
       ++compared;
     }
     EXPECT_GT(compared, 10);
-    // The box is one around the projected shape: as far as the mask reaches, and little farther.
+    // The box encloses the projected shape: it reaches as far as the mask, and little farther.
     std::istringstream label(test::readFile(file("yolo/00000002.txt")));
     std::string name;
     double centre = 0.0;

@@ -36,7 +36,7 @@ class DepthNoiseTest : public test::RunFixture {
         Value(Value::Map{{"model", Value(model)}});
   }
 
-  /// @param only  the scene that is made; below 0 for all
+  /// @param only  the only scene that is made; negative for all
   [[nodiscard]] std::vector<FinishedScene> scenesOf(std::int64_t only = -1) const {
     Reporter silent;
     RunSetup setup = setUpRun(Value(parameters), {test::pluginXml()});

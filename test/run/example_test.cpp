@@ -93,7 +93,7 @@ TEST(Example, LooseBoxesHoldEveryPixelAndMasksMatchTheExactOnes) {
     const double mean = sum[i] / static_cast<double>(setup.timeline.stamps.size());
     std::cout << "MOG2 against exact masks, " << objects[i].name << ": IoU mean " << mean
               << ", worst " << worst[i] << '\n';
-    // What is lost are pixels that happen to have the background's colour.
+    // The lost pixels are those that happen to have the background's colour.
     EXPECT_GT(mean, 0.95) << objects[i].name;
     EXPECT_GT(worst[i], 0.85) << objects[i].name;
   }

@@ -106,7 +106,7 @@ const Value& at(const Value& value, std::size_t place) {
   return value.as<Value::List>()->at(place);
 }
 
-/// A scene of one camera, as its image folder tells of it.
+/// A scene of one camera, from its line in the image folder's list.
 struct WrittenScene {
   explicit WrittenScene(const std::string& line) : line_(yaml(line)) {}
 
@@ -128,7 +128,7 @@ struct WrittenScene {
     return {numberOf(at(pixel, std::size_t{0})), numberOf(at(pixel, 1))};
   }
 
-  /// Where the written intrinsics put a point of an object.
+  /// Where the written intrinsics project a point of an object.
   [[nodiscard]] Eigen::Vector2d projected(std::size_t object, const Eigen::Vector3d& p_O) const {
     const Value& matrix = at(at(at(line_, "objects"), "X_CO"), object);
     Eigen::Vector3d p_C;
@@ -157,7 +157,7 @@ class ZoomingRun : public ::testing::Test {
                   writers.end());
     run.parameters["writers"] = Value(writers);
     run.parameters.erase("w_PvNet");
-    // At rest, the ball changes nothing that would make masks be learnt anew.
+    // A ball at rest causes no change for which the background would be learnt anew.
     run.parameters["physics"] = yaml("{settle: 3}");
     randomize("{sensor: {field_of_view: {uniform: [0.7, 1.2]}}}");
   }
@@ -181,7 +181,7 @@ class ZoomingRun : public ::testing::Test {
     return scenes;
   }
 
-  /// What a query of the manifest finds in its first column.
+  /// The first column of a query on the manifest.
   [[nodiscard]] std::vector<double> numbersIn(const std::string& sql) const {
     const base::SqliteDatabase manifest(run.folder() + "/manifest.sqlite",
                                         base::SqliteDatabase::Mode::kReadOnly);

@@ -172,7 +172,7 @@ TEST_F(GeneratorTest, StopsBetweenScenesWhenAsked) {
   Generator generator(Value(parameters), impatient, {test::pluginXml()});
   const RunSummary summary = generator.run();
   EXPECT_TRUE(summary.stopped);
-  // Those that were being written meanwhile are finished.
+  // Scenes that are being written at that time are finished.
   EXPECT_GE(summary.scenes, 2);
   EXPECT_LT(summary.scenes, summary.planned_scenes);
   EXPECT_EQ(summary.dataset_scenes, summary.scenes);
@@ -403,7 +403,7 @@ TEST_F(GeneratorTest, FindsAllErrorsAtOnceAndLeavesTheDiskAlone) {
   EXPECT_FALSE(fs::exists(run.folder() / "out"));
 }
 
-/// The bag of a run in which alpha comes for a quarter of the second.
+/// Records a bag in which alpha is there only for a quarter of a second.
 void letAlphaComeAndGo(const TinyRun& run) {
   test::BagBuilder bag(run.folder() / "tiny.bag");
   bag.fix("map", "bravo/base_link", test::milliseconds(1000), test::poseAt(0, 1, 0));

@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// In view, seen, dropped, counted, labelled.
+/// The counts of an object: in view, seen, dropped, counted, labelled.
 RunSummary::Object object(const std::string& name, std::int64_t in_view, std::int64_t seen,
                           std::int64_t dropped, std::int64_t counted, std::int64_t labelled) {
   return {name, in_view, seen, dropped, counted, labelled};
@@ -90,7 +90,7 @@ struct Listener : Reporter {
   std::vector<std::string> warnings;
 };
 
-/// Writers that ask for nothing but boxes around projections.
+/// The parameters with writers that need nothing but boxes around projections.
 Value::Map withLooseBoxesAlone(Value::Map parameters) {
   parameters["writers"] = Value(Value::List{
       Value(Value::Map{{"name", Value("yolo")}, {"type", Value("synthetic_dataset/Yolo")}})});
@@ -142,7 +142,7 @@ TEST_F(LabelCountsTest, OfASplitThatSeesNoObjectAreReported) {
   EXPECT_THAT(lastLine(summary), said);
 }
 
-/// Under the floor, which hides the objects though their boxes are in view.
+/// The camera is under the floor, which hides the objects though their boxes are in view.
 Value::Map belowTheFloor(Value::Map parameters) {
   auto& pose = *(*parameters["camera"].as<Value::Map>())["pose"].as<Value::List>();
   pose[2] = Value(-0.5);

@@ -33,7 +33,7 @@ Value list(const std::vector<double>& numbers) {
   return Value(Value::List(numbers.begin(), numbers.end()));
 }
 
-/// A scanner of 8 rings half a metre above the ground, a metre before `alpha` and `bravo`.
+/// A scanner of 8 rings half a metre above the ground, a metre in front of `alpha` and `bravo`.
 Value::Map scanner() {
   return {{"beams",
            Value(Value::Map{{"count", Value(8)}, {"first", Value(-0.4)}, {"last", Value(0.1)}})},
@@ -95,7 +95,7 @@ TEST_F(LidarRun, MeasuresTheObjectsWhereTheyAreAtEachPointsTime) {
     EXPECT_TRUE(cloud.X_GS.isApprox(scene.transform("map", "top/lidar_link")));
     for (const CloudPoint& point : cloud.points) {
       if (point.instance != 1) continue;
-      // `alpha` drives along y at 1 m/s, at the stamp it is where the scene says.
+      // `alpha` drives along y at 1 m/s; at the stamp it is at the scene's pose.
       const Eigen::Vector3d p_G = cloud.X_GS * point.position_S.cast<double>();
       Eigen::Vector3d p_O = scene.objects[0].X_GO->inverse() * p_G;
       p_O.y() -= 1e-9 * point.time;
@@ -192,7 +192,7 @@ TEST_F(LidarRun, NamesTheLidarThatAWriterMisspells) {
                                               "the run's lidars (top); did you mean 'top'?")));
 }
 
-/// All that goes on in a run: two cameras, a ball that falls, noise.
+/// A lidar run in which much goes on: two cameras, a ball that falls, noise.
 class BrokenLidarRun : public ::testing::Test {
  protected:
   void SetUp() override {

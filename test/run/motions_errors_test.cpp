@@ -1,4 +1,4 @@
-/// What runs of several motions say when something is wrong.
+/// Errors of runs with several motions.
 
 #include <gmock/gmock.h>
 

@@ -23,7 +23,7 @@ using Files = std::map<std::string, std::string>;
 
 Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
-/// Stops a run after so many times, whatever is written by then; counts them.
+/// Counts a run's times and stops it after a number of them, whatever is written by then.
 struct TimesReporter : Reporter {
   explicit TimesReporter(int most = 1000) : left(most) {}
 
@@ -38,7 +38,7 @@ struct TimesReporter : Reporter {
   mutable int times = 0;
 };
 
-constexpr int kEnd = 1;  // a run that has made its scenes is asked once more
+constexpr int kEnd = 1;  // stopRequested() is called once more after the last scene
 
 /// Three recorded times, two of another recording without bravo, two placed ones, and three of the
 /// first recording in other light; each of two cameras: 20 scenes.
@@ -88,7 +88,7 @@ class PartsOfMotions : public ::testing::Test {
 
 TEST_F(PartsOfMotions, GiveTheBytesOfAllAtOnceWhenResumedWithinAnyOfThem) {
   const Files expected = atOnce();
-  for (const int times : {1, 4, 6, 9}) {  // of each motion one
+  for (const int times : {1, 4, 6, 9}) {  // one within each motion
     fs::remove_all(run.folder());
     TimesReporter stopping(times);
     EXPECT_TRUE(run.run(stopping, run.folder()).stopped);
@@ -118,7 +118,7 @@ TEST_F(PartsOfMotions, GiveTheSameBytesWhereNothingIsKept) {
 
 TEST_F(PartsOfMotions, MakeSomeScenesAlone) {
   const Files expected = atOnce();
-  run.parameters["only_scenes"] = yaml("[9, 4, 6]");  // of all but the first one
+  run.parameters["only_scenes"] = yaml("[9, 4, 6]");  // from all motions but the first
   EXPECT_EQ(run.run().scenes, 6) << "one a camera";
   int files = 0;
   for (const auto& [name, bytes] : AllAtOnceRun::files(run.folder())) {

@@ -12,7 +12,7 @@
 
 namespace synthetic_dataset::test {
 
-/// A scene as the manifest has it.
+/// A scene as listed in the manifest.
 struct ListedScene {
   std::int64_t instant;
   std::int64_t milliseconds;  ///< its stamp
@@ -20,7 +20,7 @@ struct ListedScene {
   std::string split;
 };
 
-/// A motion as the manifest has it.
+/// A motion as listed in the manifest.
 struct ListedMotion {
   std::string name;
   std::int64_t first_instant, instant_count;
@@ -31,14 +31,14 @@ struct ListedMotion {
   }
 };
 
-/// A tiny run (4 scenes, all with exact masks) and what others of its motions may be made of:
+/// A tiny run (4 scenes, all with exact masks) and the files that its other motions may use:
 ///   other.bag   half a second, 2 scenes: alpha stands, bravo drives
 ///   lone.bag    the tiny bag without bravo
 ///   below.bag   the tiny bag with bravo standing below the ball
 ///   yard.world  the tiny world on a green floor
 ///   lone.world  the tiny world without bravo
 ///   wide.yaml   a camera of 320 x 100 pixels, with distortion
-/// All are in its folder, which is `DIR` in the texts.
+/// All are in its folder, which is written `DIR` in the YAML texts.
 class MotionsRun {
  public:
   MotionsRun();
@@ -51,14 +51,14 @@ class MotionsRun {
   /// The list `motions`, as YAML.
   void list(const std::string& entries) { set("motions", entries); }
 
-  /// Runs with what is set; an older dataset makes way.
+  /// Runs with the settings made so far; replaces an older dataset.
   run::RunSummary run(run::Reporter& reporter) const;
   run::RunSummary run() const;
 
   /// Runs, and reads all files of the dataset but its manifest.
   [[nodiscard]] std::map<std::string, std::string> files() const;
 
-  /// What the run says when it may not begin.
+  /// The errors with which the run refuses to begin.
   [[nodiscard]] std::vector<std::string> errors() const;
 
   [[nodiscard]] std::vector<ListedScene> scenes() const;

@@ -1,4 +1,4 @@
-/// Datasets of several motions: what is in them.
+/// The contents of datasets of several motions.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ constexpr char kPlaced[] =
 
 class MotionsTest : public ::testing::Test {
  protected:
-  /// Coco alone, for which what is seen is counted.
+  /// Writes COCO only, for which visible pixels are counted.
   void useCoco() {
     for (const char* name : {"yolo", "bounding_shape"}) run.parameters.erase(name);
     run.set("writers", "[{name: coco, type: synthetic_dataset/Coco}]");
@@ -65,7 +65,8 @@ class MotionsTest : public ::testing::Test {
   MotionsRun run;
 };
 
-/// The numbers of files' names made greater; a list of scenes has no place among them.
+/// The files with the scene numbers in their names raised; files without one, such as lists, are
+/// left out.
 Files shifted(const Files& files, std::int64_t by) {
   Files result;
   for (const auto& [name, bytes] : files) {
@@ -87,7 +88,7 @@ Files filesOf(const Files& files, std::int64_t begin, std::int64_t end) {
   return result;
 }
 
-/// Names of files that are not the same.
+/// The names of files that differ.
 std::vector<std::string> differences(const Files& a, const Files& b) {
   std::vector<std::string> names;
   for (const auto& [name, bytes] : a) {
@@ -165,7 +166,7 @@ TEST_P(MotionAlone, HasTheSameFilesButForTheirNumbers) {
   run.parameters.erase("motions");
   const Files first = run.files();
   EXPECT_THAT(differences(filesOf(all, 0, 4), shifted(first, 0)), IsEmpty());
-  // The world begins anew: things fall as they did.
+  // The world starts again: things fall as they did before.
   const std::int64_t end = 4 + second.instant_count;
   EXPECT_THAT(differences(filesOf(all, end, end + 4), shifted(first, end)), IsEmpty());
   run.list("[{" + std::string(GetParam().settings) + "}]");
@@ -239,7 +240,7 @@ TEST_F(MotionsTest, ShareTheNumberOfScenesThatIsGiven) {
   run.set("scenes", "12");
   run.list("[{weight: 2}, {weight: 1, " + std::string(kPlaced) + "}]");
   (void)run.run();
-  // Twenty there are; every second or third of them is taken, from the first to nearly the last.
+  // Of twenty times, every second or third is taken, from the first to nearly the last.
   EXPECT_THAT(times(), ElementsAre(1000, 1100, 1250, 1350, 1500, 1600, 1750, 1850,  //
                                    50, 100, 150, 200));
 }
@@ -308,7 +309,7 @@ TEST_F(MotionsTest, EndWithAnUnknownFlow) {
 // --- Objects that do not take part ---
 
 TEST_F(MotionsTest, MayLeaveAnObjectOut) {
-  // It is neither in this recording nor in this world.
+  // The object is neither in this recording nor in this world.
   run.list("[{}, {robot_list: [alpha], bag_file: DIR/lone.bag, world: DIR/lone.world}]");
   const Files files = run.files();
   EXPECT_EQ(linesAbout("bravo", filesOf(files, 0, 4)), 4);

@@ -1,4 +1,4 @@
-/// Runs whose objects and cameras are put somewhere at random.
+/// Runs whose objects and cameras are placed at random.
 
 #include <cmath>
 #include <filesystem>
@@ -51,7 +51,7 @@ Value::Map volumeOf(const std::vector<double>& low, const std::vector<double>& h
           {"volume", Value(Value::Map{{"min", listOf(low)}, {"max", listOf(high)}})}};
 }
 
-/// What the manifest has of an object in a scene.
+/// The manifest's data of an object in a scene.
 struct ManifestObject {
   Pose X_GO;
   std::int64_t visible_pixels;
@@ -106,7 +106,7 @@ class PlacementTest : public test::RunFixture {
 
   Value::Map& group(const std::string& name) { return *parameters.at(name).as<Value::Map>(); }
 
-  /// Where the camera is, in place of its `pose`.
+  /// Replaces the camera's `pose` with these settings.
   void putCamera(const Value::Map& settings) {
     group("camera").erase("pose");
     for (const auto& [name, value] : settings) group("camera")[name] = value;
@@ -117,7 +117,7 @@ class PlacementTest : public test::RunFixture {
     return scenesIn(folder);
   }
 
-  /// With a format for which visible pixels are counted.
+  /// Adds a format for which visible pixels are counted.
   void countVisiblePixels() {
     parameters.erase("bounding_shape");
     parameters.erase("background_subtractor");
@@ -159,7 +159,7 @@ std::vector<Vector3d> cornersOfBox() {
   return corners;
 }
 
-/// How a box is seen by the run's camera: left, top, right, bottom [px].
+/// A box as the run's camera sees it: left, top, right, bottom [px].
 std::array<double, 4> projected(const Pose& X_CO) {
   std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
   for (const Vector3d& corner : cornersOfBox()) {
@@ -461,7 +461,7 @@ TEST_F(PlacedAllAtOnce, GivesTheSameBytesWhateverIsKeptFromPictureToPicture) {
   const auto filesWith = [&](bool reuse) {
     run.parameters["rendering"] = Value(Value::Map{{"reuse", Value(reuse)}});
     auto files = run.unbroken();
-    files.erase("manifest.sqlite");  // which tells the setting
+    files.erase("manifest.sqlite");  // which contains the setting
     return files;
   };
   EXPECT_TRUE(filesWith(true) == filesWith(false));
@@ -473,7 +473,7 @@ TEST_F(PlacedAllAtOnce, GivesTheSameBytesInShardsWithACameraPutIntoARecording) {
   expectShardsMakeTheSame(3);
 }
 
-// --- What is wrong ---
+// --- Errors ---
 
 TEST_F(PlacementTest, NamesAMapThatIsMissing) {
   placement({{"map", Value("/nowhere/map.yaml")}});

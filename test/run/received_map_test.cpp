@@ -25,7 +25,7 @@ using ::testing::IsEmpty;
 
 Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
-/// Free all over, but for one corner.
+/// A map that is free except in one corner.
 motion::RecordedMap hall() {
   motion::RecordedMap map;
   map.width = 24;
@@ -39,7 +39,7 @@ motion::RecordedMap hall() {
   return map;
 }
 
-/// What is wrong with the settings of the hall where one is another.
+/// The errors of the hall's settings with one of them replaced.
 std::vector<std::string> errorsWith(const std::string& name, const Value& value) {
   Value settings = randomize::settingsOf(hall());
   (*settings.as<Value::Map>())[name] = value;

@@ -1,5 +1,5 @@
-/// Runs that label recorded clouds: those of a simulated lidar, as a bag of the same scenes has
-/// them, so that the labels are known.
+/// Runs that label recorded clouds: those of a simulated lidar in a bag of the same scenes, so that
+/// the labels are known.
 
 #include <cmath>
 #include <filesystem>
@@ -173,12 +173,12 @@ TEST_F(RecordedCloudsRun, WriteFilesThatVerifyFindsRight) {
   EXPECT_THAT(listener.problems, IsEmpty());
 }
 
-/// Clouds of a few points on the ground, of a scanner that TF has 1 m above it.
+/// Clouds of a few points on the ground, from a scanner that is 1 m above it according to TF.
 class HandMadeCloudsRun : public RecordedCloudsRun {
  protected:
   using Field = test::CloudFieldNumbers;
 
-  /// A point on the ground straight ahead, and one in the air, measured before the stamp.
+  /// A point on the ground straight ahead, measured before the stamp, and one in the air.
   static sensor_msgs::PointCloud2 cloudAt(std::int64_t stamp_ms, double seconds_before) {
     using sensor_msgs::PointField;
     return test::cloudMessage(
@@ -188,7 +188,7 @@ class HandMadeCloudsRun : public RecordedCloudsRun {
          Field{"time", PointField::FLOAT32, {-seconds_before, 0.0}}});
   }
 
-  /// @param clouds  stamps [ms]
+  /// @param clouds  the clouds' stamps [ms]
   void recordHandMade(const std::vector<std::int64_t>& clouds) {
     BagBuilder bag(run.folder() / "scanner.bag");
     bag.fix("map", "velodyne", milliseconds(1000), test::poseAt(-2.0, -2.0, 1.0));

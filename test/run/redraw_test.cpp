@@ -26,7 +26,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-/// What `verify --redraw` finds in a dataset.
+/// The findings of `verify --redraw` for a dataset.
 struct Verified : test::VerificationList {
   explicit Verified(const std::string& folder) {
     // Never destroyed: class_loader cannot unload libraries once the program ends.

@@ -1,4 +1,4 @@
-/// Runs that are stopped and gone on with.
+/// Runs that are stopped and resumed.
 
 #include <filesystem>
 #include <fstream>
@@ -44,7 +44,7 @@ TEST_F(ResumedRunTest, GivesTheBytesOfAnUnbrokenOne) {
   }
 }
 
-/// What a scene says of the world does not hang on which scenes its process has made before.
+/// A scene's warnings about the world do not depend on which scenes its process has made before.
 TEST_F(ResumedRunTest, SaysTheSameOfAPropThatHasFallenOutOfTheWorld) {
   std::string world = test::readFile(run.input("tiny.world"));
   const std::string place = "<model name=\"ball\"><pose>0.3 -0.8";

@@ -13,7 +13,7 @@
 
 namespace synthetic_dataset::test {
 
-/// What a run of some parameters writes, or says when it may not begin.
+/// Runs with parameters, and reads what they write or the errors with which they refuse to begin.
 class RunFixture : public ::testing::Test {
  protected:
   RunFixture();
@@ -22,13 +22,13 @@ class RunFixture : public ::testing::Test {
   run::RunSummary generate() const;
   run::RunSummary generate(run::Reporter& reporter) const;
 
-  /// Every file of the dataset that is there, by its relative path.
+  /// Every file of the existing dataset, by its relative path.
   [[nodiscard]] std::map<std::string, std::string> files() const;
 
-  /// Removes what is there, runs, and reads all files.
+  /// Removes the existing dataset, runs, and reads all files.
   std::map<std::string, std::string> filesAnew() const;
 
-  /// All that is found before the first scene.
+  /// The errors found before the first scene.
   [[nodiscard]] std::vector<std::string> errors() const;
 
   TinyRun run;

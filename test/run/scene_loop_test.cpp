@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int kInstants = 4;  // of each motion
+constexpr int kInstants = 4;  // per motion
 
 /// The optical frame of a camera at the origin that looks along the global x.
 Pose lookingAlongX() {
@@ -86,7 +86,7 @@ class SceneLoopTest : public testing::Test {
     return indices;
   }
 
-  /// Stops once the sink has had some scenes.
+  /// Stops once `stop_after` scenes are done.
   struct StoppingReporter : Reporter {
     void progress(std::int64_t done, std::int64_t /*all*/) override { scenes = done; }
     [[nodiscard]] bool stopRequested() const override { return scenes >= stop_after; }

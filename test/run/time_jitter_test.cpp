@@ -1,4 +1,4 @@
-/// Runs whose scenes are made beside their regular times.
+/// Runs whose scenes are made at random offsets from their regular times.
 
 #include <cmath>
 #include <filesystem>
@@ -32,7 +32,7 @@ constexpr std::int64_t kFarthest = 40000000;  // [ns]
 
 Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
-/// A scene as the manifest has it.
+/// A scene as listed in the manifest.
 struct ListedScene {
   std::int64_t stamp = 0;   ///< [ns]
   std::int64_t jitter = 0;  ///< that was drawn [ns]
@@ -103,7 +103,7 @@ TEST_F(TimeJitter, MovesEachSceneByWhatTheManifestTells) {
 
 TEST_F(TimeJitter, OfASceneDoesNotDependOnWhichOthersThereAre) {
   const std::vector<ListedScene> all = generate();
-  // The shutter has to be open while all is known: the recording's ends have no scene.
+  // All has to be known while the shutter is open: there are no scenes at the recording's ends.
   setEffects("{exposure_time: 0.04, motion_samples: 2}");
   const std::vector<ListedScene> fewer = generate();
   EXPECT_LT(fewer.size(), all.size());

@@ -1,5 +1,5 @@
-/// Recorded pictures in which something stands that the twin does not have: a person, as a box. A
-/// run with the person in its world says what is seen of the objects then.
+/// Recorded pictures with something in them that the twin lacks: a person, as a box. A run with the
+/// person in its world gives the truth about what is seen of the objects.
 
 #include <filesystem>
 #include <fstream>
@@ -41,17 +41,17 @@ std::string calibration(int width, int height, double focal) {
          "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n";
 }
 
-// Of the depth camera that is not the pictures'.
+// The depth camera, which is not the pictures' camera.
 constexpr int kDepthWidth = 424;
 constexpr int kDepthHeight = 320;
 constexpr double kDepthFocal = 350.0;
 
-/// Looking along x, 3 m before the objects.
+/// The pictures' camera, which looks along x from 3 m before the objects.
 Pose pictureCamera() {
   return makePose({-3.0, 0.2, 0.5}, Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5));
 }
 
-/// 6 cm to the left and 2 cm higher, turned by 2 degrees.
+/// The depth camera, 6 cm to the left and 2 cm higher, turned by 2 degrees.
 Pose depthCamera() {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.035, Eigen::Vector3d::UnitY()));
   return pictureCamera() * makePose({-0.06, -0.02, 0.0}, turn);
@@ -61,12 +61,12 @@ cv::Mat decoded(const std::string& file) {
   return cv::imdecode(std::vector<std::uint8_t>(file.begin(), file.end()), cv::IMREAD_UNCHANGED);
 }
 
-/// The dataset's file of a scene.
+/// The name of a scene's file in the dataset.
 std::string fileOf(const std::string& kind, std::size_t scene, const std::string& rest) {
   return "bop/train/000000/" + kind + "/00000" + std::to_string(scene) + rest + ".png";
 }
 
-/// Pixels that masks share, and those that either has.
+/// The numbers of pixels in both masks and in either mask.
 struct Overlap {
   int both = 0;
   int either = 0;
@@ -123,12 +123,12 @@ class TwinOcclusion : public test::RunFixture {
     return filesAnew();
   }
 
-  /// Of all keypoints of all scenes.
+  /// The states of all keypoints in all scenes.
   [[nodiscard]] std::vector<std::string> keypointStates() const {
     return rows("SELECT state FROM scene_keypoint ORDER BY scene, object, sequence");
   }
 
-  /// A column of the manifest.
+  /// The first column of a query on the manifest.
   [[nodiscard]] std::vector<std::string> rows(const std::string& query) const {
     const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
                                         base::SqliteDatabase::Mode::kReadOnly);
@@ -138,7 +138,7 @@ class TwinOcclusion : public test::RunFixture {
     return all;
   }
 
-  /// Of all scenes, in which the person stands: the objects' pictures, and what `measure` adds.
+  /// Records the pictures of all scenes, with the person in them, and what `measure` adds.
   template <class Measure>
   void record(const Measure& measure) {
     BagBuilder bag(run.folder() / "pictures.bag");
@@ -152,7 +152,7 @@ class TwinOcclusion : public test::RunFixture {
         Value(Value::List{Value((run.folder() / "tiny.bag").string()), Value(bag.close())});
   }
 
-  /// Where the other depth camera is, and what it sees with.
+  /// Records the pose and the calibration of the depth camera.
   static void describeDepthCamera(BagBuilder& bag, Stamp stamp) {
     bag.fix("map", "depth_optical", stamp, depthCamera());
     bag.from("depth_optical");
@@ -160,7 +160,7 @@ class TwinOcclusion : public test::RunFixture {
     bag.calibrate("/depth/camera_info", "depth_optical", stamp, kDepthFocal);
   }
 
-  /// Intersection over union of all masks of all scenes with the truth.
+  /// Intersection over union with the truth: of the worst mask, and of all masks of all scenes.
   struct Agreement {
     double worst = 1.0;
     double all = 1.0;
@@ -183,9 +183,9 @@ class TwinOcclusion : public test::RunFixture {
   }
 
   std::string with_person;  ///< the world's file
-  Files depths;             ///< of the other depth camera
-  Files truth;              ///< as the picture shows it
-  Files empty;              ///< as the twin has it
+  Files depths;             ///< of the depth camera
+  Files truth;              ///< with the person, as in the pictures
+  Files empty;              ///< without the person, as in the twin
   std::vector<std::string> true_states;
 };
 

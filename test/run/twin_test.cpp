@@ -1,5 +1,5 @@
-/// Runs that label recorded pictures. The pictures are those that a run before has made, so that
-/// its labels are the truth.
+/// Runs that label recorded pictures. The pictures were made by an earlier run, whose labels are
+/// the truth.
 
 #include <filesystem>
 
@@ -39,7 +39,7 @@ cv::Mat decoded(const std::string& file) {
   return cv::imdecode(bytesOf(file), cv::IMREAD_UNCHANGED);
 }
 
-/// Of a folder of the dataset.
+/// The files below a folder of the dataset.
 Files below(const std::string& folder, const Files& all) {
   Files some;
   for (const auto& [name, content] : all) {
@@ -54,7 +54,7 @@ std::vector<std::uint8_t> jpegOf(const cv::Mat& picture) {
   return bytes;
 }
 
-/// What is wrong with a dataset.
+/// Collects the problems of a dataset.
 class Problems : public output::VerificationListener {
  public:
   void problem(const std::string& line) override { all.push_back(line); }
@@ -81,7 +81,7 @@ class Twin : public RunFixture {
     parameters["camera"] = Value(camera);
   }
 
-  /// A name of the n-th scene's files.
+  /// The number in the names of the n-th scene's files.
   static std::string number(std::size_t scene) { return "0000000" + std::to_string(scene); }
 
   [[nodiscard]] cv::Mat picture(std::size_t scene) const {
@@ -169,7 +169,7 @@ TEST_F(Twin, ReadsCompressedPicturesOfAllChannels) {
       case 0:
         bag.pictureFile("/eye/image_raw", stamp, "bgr8; png compressed bgr8", pngOf(picture(0)));
         break;
-      case 1:  // as compressed_image_transport of old wrote it
+      case 1:  // as old versions of compressed_image_transport wrote it
         cv::cvtColor(picture(1), other, cv::COLOR_BGR2RGB);
         bag.pictureFile("/eye/image_raw", stamp, "rgb8; png compressed rgb8", pngOf(other));
         break;

@@ -1,4 +1,4 @@
-/// Runs whose scenes are lit and painted anew, and of which single scenes are made.
+/// Runs whose scenes are relit and repainted, and runs of which only single scenes are made.
 
 #include <algorithm>
 #include <filesystem>
@@ -30,11 +30,11 @@ using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 using Files = std::map<std::string, std::string>;
-using Draws = std::map<std::string, std::vector<double>>;  ///< a scene's, by name; texts are empty
+using Draws = std::map<std::string, std::vector<double>>;  ///< of a scene, by name; empty for texts
 
 Value yaml(const std::string& text) { return base::parseYaml(text, "test"); }
 
-/// A number, or those of a list; none of a text.
+/// The number, or the numbers of a list; empty for a text.
 std::vector<double> numbersOf(const Value& value) {
   if (const auto* number = value.as<double>()) return {*number};
   if (const auto* number = value.as<std::int64_t>()) return {static_cast<double>(*number)};
@@ -63,7 +63,7 @@ std::set<std::string> namesOf(const Draws& draws) {
   return names;
 }
 
-/// Places of scenes, from the least drawn number to the greatest.
+/// The scenes in the order of their drawn numbers, least first.
 std::vector<std::int64_t> sortedBy(const std::string& name,
                                    const std::map<std::int64_t, Draws>& draws) {
   std::vector<std::int64_t> scenes;
@@ -85,7 +85,7 @@ class Variation : public test::RunFixture {
 
   void randomize(const std::string& text) { parameters["randomize"] = yaml(text); }
 
-  /// How bright the floor is before the camera, where nothing ever stands.
+  /// The brightness of the floor in front of the camera, where nothing ever stands.
   [[nodiscard]] double floorIn(std::int64_t scene) const {
     const cv::Mat image = cv::imread(folder + "/yolo/0000000" + std::to_string(scene) + ".png");
     return cv::mean(image(cv::Rect(60, 105, 40, 14)))[1];
@@ -272,14 +272,14 @@ TEST_F(Variation, DistractorsAreSeenAndHaveNoLabel) {
   EXPECT_GT(choices.size(), 4U);
 }
 
-/// What the manifest has of an object in a scene.
+/// The manifest's data of an object in a scene.
 struct ObjectRow {
   bool in_view;
   bool dropped;
-  std::optional<double> height;  ///< of its frame [m]; nothing where it is not in the scene
+  std::optional<double> height;  ///< of its frame [m]; empty if it is not in the scene
 };
 
-/// By scene and the object's name.
+/// The rows by scene and object name.
 std::map<std::int64_t, std::map<std::string, ObjectRow>> objectsIn(const std::string& folder) {
   const base::SqliteDatabase manifest(folder + "/manifest.sqlite",
                                       base::SqliteDatabase::Mode::kReadOnly);
@@ -394,7 +394,7 @@ class VariedRun : public ::testing::Test {
         "0.3], max: [1, 1, 1.2]}}}");
   }
 
-  /// What was made so far is what these have.
+  /// Expects all files made so far to be among these.
   void expectScenesOf(const Files& expected) const {
     int files = 0;
     for (const auto& [name, bytes] : AllAtOnceRun::files(run.folder())) {

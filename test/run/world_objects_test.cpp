@@ -1,4 +1,4 @@
-/// Objects that stand in the world beside a recording: what a riding camera sees.
+/// Objects of the world that are not in the recording, as seen by a camera that rides along.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// A street: two cars that stand, a ball that falls, and no robot; and a recording of a frame that
+/// A street with two parked cars, a falling ball and no robot; the recording has a frame that
 /// drives along it.
 constexpr char kStreet[] = R"(<sdf version="1.6"><world name="street">
 <light name="sun" type="directional"><direction>0.3 0.4 -1</direction></light>
@@ -90,7 +90,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
     }
   }
 
-  /// All scenes, and the dataset that they are of.
+  /// Makes all scenes; the sink has their dataset as well.
   const test::FakeSceneSink& scenes() {
     RunSetup setup = setUpRun(Value(parameters), {test::pluginXml()});
     for (const base::Diagnostic& each : setup.diagnostics.all()) said.push_back(each.message());

@@ -89,7 +89,7 @@ class WornModelsTest : public test::RunFixture {
     return path.string();
   }
 
-  /// With keypoints and a bounding shape that are given, in this size.
+  /// Gives `bravo` a model, with explicit keypoints and bounding shape in this size.
   void setBravo(const std::string& model, double scale) {
     std::ostringstream text;
     const double h = 0.2 * scale;
@@ -99,7 +99,7 @@ class WornModelsTest : public test::RunFixture {
     parameters["bravo"] = yaml(text.str());
   }
 
-  /// The files of one scene, without the manifest and what is of the dataset as a whole.
+  /// The files of one scene, without the manifest and other dataset-wide files.
   static Files ofScene(std::int64_t scene, const Files& files) {
     Files result;
     for (const auto& [name, bytes] : files) {
@@ -115,8 +115,8 @@ class WornModelsTest : public test::RunFixture {
   }
 };
 
-/// What is never worn pushes nothing, wherever it stands in the list: a block that would lie about
-/// the falling ball.
+/// A model that is never worn pushes nothing, wherever it is in the list: a block that would be all
+/// around the falling ball.
 TEST_F(WornModelsTest, PropsSettleAboutWhatIsWorn) {
   parameters["physics"] = yaml("{settle: 2.0}");
   const std::string block = write("block.sdf", box(0.7));
@@ -126,7 +126,7 @@ TEST_F(WornModelsTest, PropsSettleAboutWhatIsWorn) {
     parameters["randomize"] =
         yaml("{objects: {alpha: {model: {choice: [" + models + "], weights: [" + weights + "]}}}}");
     Files files = filesAnew();
-    files.erase("manifest.sqlite");  // which has the settings
+    files.erase("manifest.sqlite");  // which contains the settings
     return files;
   };
   const Files without = filesWith("'" + post + "'", "1");
@@ -194,12 +194,12 @@ TEST_F(WornModelsTest, RefusesFormatsWithOneModelOfAnObject) {
   EXPECT_THAT(errors(), testing::UnorderedElementsAre(
                             testing::AllOf(HasSubstr(found), HasSubstr("mesh in models/")),
                             testing::AllOf(HasSubstr(found), HasSubstr("model.ply"))));
-  // One size that is always the same is no reason.
+  // A single fixed size is not a reason.
   parameters["randomize"] = yaml("{objects: {bravo: {scale: 1.5}}}");
   EXPECT_THAT(errors(), testing::IsEmpty());
 }
 
-/// The first visual of a model as an SDF model with a mesh file beside it.
+/// Turns the first visual of a model into an SDF model with a mesh file beside it.
 std::string meshModel(const std::string& obj_file, const world::Model& model) {
   std::ofstream obj(obj_file);
   obj.precision(9);  // all digits of a float
@@ -230,7 +230,7 @@ std::map<std::int64_t, int> variantsIn(const std::string& folder) {
   return variants;
 }
 
-/// Labels of a variant of another shape are those of a model that has this shape itself.
+/// A variant with another shape has the labels of a model that itself has this shape.
 TEST_F(WornModelsTest, LabelsOfVariantsAreThoseOfTheirShapes) {
   const std::string own = write("box.sdf", box(0.4));
   parameters["bravo"] = yaml("{class: box, id: bravo, model: '" + own + "'}");
@@ -253,7 +253,7 @@ TEST_F(WornModelsTest, LabelsOfVariantsAreThoseOfTheirShapes) {
     for (const auto& [scene, worn] : variants) {
       if (worn != number) continue;
       for (const auto& [name, bytes] : ofScene(scene, alone)) {
-        if (fs::path(name).extension() != ".txt") continue;  // pictures are painted
+        if (fs::path(name).extension() != ".txt") continue;  // pictures differ in paint
         compared.insert(number);
         EXPECT_TRUE(varied.count(name) == 1 && varied.at(name) == bytes) << name;
       }

@@ -43,7 +43,7 @@ class ArticulatedReplay : public testing::Test {
     parameters["robot_list"] = Value(Value::List{Value("alpha")});
   }
 
-  /// Where the links are that move, in their parents; at whole multiples of 50 ms.
+  /// Poses of the moving links in their parents, i times 50 ms after the start.
   static Pose shoulder(int i) { return poseAt(0, 0, 0.2, 0.1 * i); }
   static Pose elbow(int i) { return turnedAboutY({0, 0, 0.5}, -0.06 * i); }
 
@@ -82,7 +82,7 @@ class ArticulatedReplay : public testing::Test {
 
   using LinkPoses = std::map<std::string, Pose>;
 
-  /// X_WL of alpha's links in the scene at 1000 + 50 i ms, reached by way of all scenes before.
+  /// X_WL of alpha's links in the scene at 1000 + 50 i ms, after all earlier scenes have been run.
   LinkPoses linksAt(const run::MotionSetup& setup, ObjectMotion& motion, int i) {
     for (const Stamp stamp : setup.timeline.stamps) {
       if (stamp <= reached) continue;
@@ -107,7 +107,7 @@ class ArticulatedReplay : public testing::Test {
     return linksAt(setup, motion, i);
   }
 
-  /// Of the base, as the tiny run's bag has it.
+  /// The pose of the base in the tiny run's bag.
   static Pose base(int i) { return poseAt(0.0, -0.5 + 0.05 * i, 0.0); }
 
   test::TinyRun run;
@@ -301,7 +301,7 @@ TEST_F(ArticulatedReplay, TheModelBoxFollowsTheLinks) {
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
 
-  // The elbow bends by 0.9 rad: the ball at the gripper, and the upper arm's edges, reach highest.
+  // The elbow is bent by 0.9 rad: the gripper's ball reaches highest, and farthest towards -y.
   const Eigen::Vector3d gripper_O = base(15).inverse() * links["gripper"].translation();
   ASSERT_THAT(shape.bounding_shape_O, SizeIs(8));
   EXPECT_NEAR(shape.bounding_shape_O.back().z(), gripper_O.z() + 0.06, 2e-4);
@@ -319,7 +319,7 @@ TEST_F(ArticulatedReplay, KeypointsMoveWithTheirLinks) {
   LinkPoses links = linksAt(setup, motion, 15);
   const auto shape = setup.shapes->at(motion.objectPoses(milliseconds(1750)))[0];
   ASSERT_THAT(shape.keypoints_O, SizeIs(9));
-  // Upright, the arm's top is one of the points farthest from all others; it has moved along.
+  // The top of the upright arm is one of the farthest points; it has moved with the gripper.
   const Eigen::Vector3d gripper_O = base(15).inverse() * links["gripper"].translation();
   EXPECT_THAT(shape.keypoints_O, Contains(testing::Truly([&](const Eigen::Vector3d& p_O) {
                 return (p_O - gripper_O).norm() < 0.0601;

@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A camera of a world, whose file says that it sees from 0.2 to 30 m.
+/// A world's camera; according to the world's file, it sees from 0.2 to 30 m.
 world::CameraSensor eye() {
   const CameraModel model(160, 120, {140, 140, 79.5, 59.5}, 0.2, 30.0);
   return {"mast::link::eye", Pose::Identity(), model, {}, "link", Pose::Identity()};

@@ -81,7 +81,7 @@ TEST_F(ObjectMotionTest, LeavesALinkWhereItIsOnItsParentAndReportsThatOnceATime)
   EXPECT_THAT(alpha.takeGaps(), IsEmpty());
   static_cast<void>(alpha.at(0, milliseconds(500)));
   static_cast<void>(alpha.at(0, milliseconds(600)));
-  EXPECT_THAT(alpha.takeGaps(), SizeIs(1));  // whatever was taken before: another scene's
+  EXPECT_THAT(alpha.takeGaps(), SizeIs(1));  // reported again: this is another scene
 }
 
 TEST_F(ObjectMotionTest, IsNowhereWhileAnObjectThatMayBeAbsentIsNotKnown) {

@@ -28,7 +28,7 @@ class ObjectVariantsTest : public ::testing::Test {
     return {object, randomization};
   }
 
-  /// How often each is worn in so many scenes.
+  /// How often each variant is worn in this many scenes.
   [[nodiscard]] std::map<std::size_t, int> wornIn(int scenes) const {
     const ObjectVariants variants = make();
     std::map<std::size_t, int> worn;
@@ -76,7 +76,7 @@ TEST_F(ObjectVariantsTest, OfOneThatIsNotThereThereIsNothingToDraw) {
   EXPECT_EQ(make().all().size(), 1U);
 }
 
-/// Of equal parts of the range, the middles.
+/// They are the middles of equal parts of the range.
 TEST_F(ObjectVariantsTest, SizesOfARangeAreAllOverIt) {
   entry.scale = base::Distribution::uniform({1.0}, {2.0});
   entry.sizes = 4;

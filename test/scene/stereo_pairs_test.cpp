@@ -70,7 +70,7 @@ TEST_F(CalibratedRig, ProjectsPointsOfItsFrameByPTimesR) {
 }
 
 TEST_F(CalibratedRig, OfBothCamerasOfAPairShowsAPointInOneRow) {
-  // Two cameras that are turned against each other, rectified by cv::stereoRectify.
+  // Two cameras that are rotated relative to each other, rectified by cv::stereoRectify.
   std::vector<double> K = {300, 0, 159.5, 0, 300, 119.5, 0, 0, 1};
   const cv::Mat matrix(3, 3, CV_64F, K.data());
   cv::Mat turn;
@@ -123,7 +123,7 @@ TEST_F(CalibratedRig, IsWhereItsFrameIsWithoutRotationAndBaseline) {
 }
 
 TEST_F(CalibratedRig, WithAFrameOfItsOwnABaselineAwayIsThere) {
-  // realsense2_camera: camera_infra2_optical_frame, and P[3] of the pair.
+  // As in realsense2_camera: a frame camera_infra2_optical_frame, and P[3] as in a stereo pair.
   const std::string first = "P: [300, 0, 159.5, 0, 0, 300, 119.5, 0, 0, 0, 1, 0]\n";
   const std::string second = "P: [300, 0, 159.5, -60, 0, 300, 119.5, 0, 0, 0, 1, 0]\n";
   const Pose X_FS = makePose({0.2, 0.0, 0.0}, Eigen::Quaterniond::Identity());

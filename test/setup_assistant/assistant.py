@@ -1,4 +1,4 @@
-"""A running `setup_assistant`, and a browser that looks at it."""
+"""A running `setup_assistant`, and a browser that shows it."""
 import os
 import pathlib
 import queue
@@ -19,13 +19,13 @@ ADDRESS = re.compile(r'(http://\S+:(\d+)/)\?token=(\S+)')
 
 
 class Assistant:
-    """The program, until `stop`."""
+    """The program, which runs until `stop`."""
 
     def __init__(self, file, *arguments):
-        # As with --page, for who works on the page and does not want to build it in each time.
+        # For example --page, for work on the page without building it in each time.
         more = os.environ.get('SETUP_ASSISTANT_ARGUMENTS', '').split()
         command = ['rosrun', 'synthetic_dataset', 'setup_assistant', str(file), *map(str, arguments), *more]
-        # A group of its own, as rosrun is a shell script.
+        # In its own process group, as rosrun is a shell script.
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                         universal_newlines=True, preexec_fn=os.setsid)
         self.lines = []
@@ -72,7 +72,7 @@ def chromium():
 
 
 def new_tab(driver):
-    """Closes what is open, and opens an empty tab as if nothing had been."""
+    """Closes all tabs, and opens an empty one in a fresh state."""
     before = driver.window_handles
     driver.switch_to.new_window('tab')
     opened = driver.current_window_handle
@@ -81,8 +81,8 @@ def new_tab(driver):
         driver.close()
     driver.switch_to.window(opened)
     driver.execute_cdp_cmd('Network.clearBrowserCookies', {})
-    driver.get_log('browser')  # which forgets what has been said
-    # A window has a least width; this is what the page sees.
+    driver.get_log('browser')  # clears the log
+    # A window has a minimum width; this is what the page sees.
     driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
         'width': 1280, 'height': 800, 'deviceScaleFactor': 1, 'mobile': False})
     driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
@@ -151,7 +151,7 @@ class Page:
         self.wait(lambda: self.revision() > before, f'{path} to be taken')
 
     def click(self, selector, label=None):
-        """Clicks on what the selector finds, on the one with this text if it is given."""
+        """Clicks on an element that the selector finds, with this text if it is given."""
         def find():
             for each in self.all(selector):
                 if each.is_displayed() and (label is None or each.text.strip() == label or
@@ -161,8 +161,8 @@ class Page:
         self.click_found(find, f'{selector} {label or ""}')
 
     def click_found(self, find, what):
-        """Clicks on what is found once nothing lies on it. The page is drawn anew and moves as answers come in, so what
-        is under the hand is looked at and clicked on in one go: WebDriver's click may meet what has come there since."""
+        """Clicks on the element that is found once nothing covers it. The page is redrawn and moves as answers
+        arrive, so hit test and click are one script: WebDriver's click may hit what has moved there since."""
         def clicked():
             element = find()
             return element and self.script('''const element = arguments[0];
@@ -198,13 +198,13 @@ class Page:
             input.focus(); input.select(); document.execCommand("insertText", false, arguments[0]);''', text)
 
     def wait_for_picture(self):
-        """Until the picture is that of the settings as they are."""
+        """Waits until the picture is that of the current settings."""
         self.wait(lambda: self.script(
             'return document.querySelector("#stage canvas").dataset.revision') == str(self.revision()),
             'the picture of these settings')
 
     def picture_sum(self):
-        """A number that follows from all pixels of the picture."""
+        """A checksum of the picture's pixels."""
         return self.script('''const canvas = document.querySelector("#stage canvas");
             const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
             let sum = 0;
@@ -212,9 +212,9 @@ class Page:
             return sum;''')
 
     def complaints(self):
-        """Errors in the browser's console but for requests that were refused, which the page shows."""
+        """Errors in the browser's console except for refused requests, which the page shows."""
         shown = ['status of 4', 'ERR_CONNECTION_REFUSED', 'ERR_INCOMPLETE']
-        if self.server_was_killed:  # its requests are lost, and how a connection ends depends on the moment
+        if self.server_was_killed:  # requests are lost, and how a connection ends depends on timing
             shown += ['net::ERR_']
         return [each['message'] for each in self.driver.get_log('browser')
                 if each['level'] == 'SEVERE' and not any(words in each['message'] for words in shown)]

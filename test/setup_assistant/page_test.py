@@ -28,7 +28,7 @@ PANES = ['recording', 'objects', 'world', 'cameras', 'randomisation', 'formats',
          'problems', 'run', 'result']
 
 
-browser = None  # one for all tests, each of which has a tab
+browser = None  # shared by all tests, each of which has a tab
 
 
 def setUpModule():
@@ -41,7 +41,7 @@ def tearDownModule():
 
 
 class WithPage(unittest.TestCase):
-    """A copy of the bundled example in a folder of its own, its page in a browser."""
+    """A copy of the bundled example in its own folder, with its page in a browser."""
 
     settings = EXAMPLE
 
@@ -138,7 +138,7 @@ class SettingsFile(WithPage):
     def test_keeps_what_is_being_typed_when_another_page_changes_it(self):
         text = self.page.yaml()
         revision = self.page.revision()
-        # The page sends what was typed after a pause, which is not over before the other page has sent its change.
+        # The page sends typed text after a pause, which here lasts until the other page has sent its change.
         self.page.script('window.held = []; window.later = setTimeout; window.setTimeout = (work) => held.push(work);')
         self.page.type_yaml(text.replace('global_frame: map', 'global_frame: odom'))
         post(self.driver, 'api/set', '{"revision": %d, "changes": [{"path": ["seed"], "value": 7}]}' % revision)
@@ -150,7 +150,7 @@ class SettingsFile(WithPage):
 
 
 def post(driver, path, body):
-    """As another page of the same browser would."""
+    """Sends a request as another page of the same browser would."""
     cookie = next(each for each in driver.get_cookies() if each['name'].startswith('synthetic_dataset_'))
     request = urllib.request.Request(driver.current_url.split('#')[0] + path, body.encode(), {
         'Content-Type': 'application/json', 'Cookie': f'{cookie["name"]}={cookie["value"]}'})
@@ -208,7 +208,7 @@ class Server(WithPage):
 
 class Problems(WithPage):
 
-    # A setting, a value that is wrong, and the pane that has its field.
+    # A setting, a wrong value for it, and the pane that has its field.
     WRONG = [
         ('simulated_rate', -1, 'recording'),
         ('bag_file', 'none.bag', 'recording'),
@@ -240,7 +240,7 @@ class Problems(WithPage):
                     self.page.wait(lambda: 'error' not in self.page.text('#header .verdict'), 'no error')
 
     def follow(self, key, pane):
-        """From the list of all problems to the field."""
+        """Follows the link from the list of all problems to the field."""
         self.page.wait(lambda: 'error' in self.page.text('#header .verdict'), 'the error')
         self.page.go('problems')
         self.page.click_found(lambda: self.link_to(pane), f'a link to {pane}')
@@ -323,7 +323,7 @@ class Picture(WithPage):
         self.page.wait(lambda: self.file.read_text('utf-8') != fixed, 'the pose')
         self.page.wait_for_picture()
         self.assertNotEqual(self.page.picture_sum(), first)
-        # All of a drag is one step.
+        # A whole drag is one undo step.
         self.page.click_and_wait('#header button', 'Undo')
         self.page.wait(lambda: self.file.read_text('utf-8') == fixed, 'the pose from before')
 
@@ -422,7 +422,7 @@ class Camera(WithPage):
         self.assertRegex(self.page.yaml(), r'rpy: \[.*deg\(')
         self.page.wait(lambda: self.yaw() != shown, 'degrees')
         self.assertAlmostEqual(self.yaw(), math.degrees(shown), delta=0.01)
-        # What is typed and what is dragged is written alike.
+        # Typed and dragged values are written alike.
         before = self.page.revision()
         self.page.all('[data-path="camera/pose/rpy"] input')[1].send_keys(Keys.CONTROL, 'a')
         self.page.all('[data-path="camera/pose/rpy"] input')[1].send_keys('20', Keys.TAB)
@@ -455,7 +455,7 @@ class Camera(WithPage):
         name = self.page.wait(lambda: next((each for each in self.page.all('#camera-name')
                                             if each.get_attribute('value') == 'camera_2'), None), 'its name')
         name.send_keys(Keys.CONTROL, 'a')
-        name.send_keys('camera', Keys.TAB)  # the first one has it
+        name.send_keys('camera', Keys.TAB)  # the first camera has this name
         self.assertNotEqual(self.page.script('return document.getElementById("camera-name").validationMessage'), '')
         before = self.page.revision()
         name.send_keys(Keys.CONTROL, 'a')
@@ -479,7 +479,7 @@ class Recording(WithPage):
     def test_says_how_long_ways_are(self):
         self.page.wait(lambda: self.page.all('.timeline-row.used'), 'the frames')
         row = next(each.text for each in self.page.all('.timeline-row.used') if 'rover_1' in each.text)
-        # Its box is 6.81 m from corner to corner, and the way bends.
+        # The way's bounding box is 6.81 m from corner to corner, and the way bends.
         self.assertAlmostEqual(float(re.search(r'([\d.]+) m', row).group(1)), 8.66, delta=0.05)
 
     def test_is_done_without_where_it_is_chosen(self):
@@ -525,7 +525,7 @@ class Objects(WithPage):
 
 class Help(WithPage):
 
-    LONGEST = 150  # of a setting's help [characters]; formats have theirs from a table
+    LONGEST = 150  # of a setting's help [characters]; that of formats comes from a table
 
     def test_is_short_and_whole(self):
         for pane in PANES:
@@ -564,7 +564,7 @@ class Help(WithPage):
 
 class Phone(WithPage):
 
-    # Of a box or switch, its label takes hits, too; and what is laid around small things.
+    # The label of a checkbox or switch takes clicks, too, and so does what is laid around small elements.
     SMALL = '''return [...document.querySelectorAll("button, a, select, summary, input")].filter(each => {
         const box = each.getBoundingClientRect();
         if (!box.width || each.disabled || each.matches(".skip")) return false;
@@ -629,7 +629,7 @@ class Keypoints(WithPage):
         self.page.wait(lambda: self.page.revision() > before, 'the keypoint')
         self.assertEqual(len(self.page.all('.point')), 10)
         picked = [float(each.get_attribute('value')) for each in self.page.all('.point:last-child input')]
-        # On the rover, whose box the example's settings have.
+        # On the rover, whose box is in the example's settings.
         for value, low, high in zip(picked, [-0.385, -0.305, 0.0], [0.385, 0.305, 0.77]):
             self.assertTrue(low <= value <= high, picked)
 
@@ -729,7 +729,7 @@ class Panes(WithPage):
                         self.page.save(self.screenshots, f'{pane}_{width}_{scheme}')
 
     def settle(self):
-        """Until nothing is loading any more."""
+        """Waits until nothing is loading any more."""
         self.page.wait(lambda: not any(each in self.page.text('#pane') for each in ['Reading', 'Drawing', 'drawing'])
                        and self.page.script('return document.querySelector("#stage .loading")?.hidden ?? true'), 'all answers')
 

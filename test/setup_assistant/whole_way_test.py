@@ -1,4 +1,4 @@
-"""From a recording and a world to a finished dataset, by clicks alone.
+"""From a recording and a world to a finished dataset, only by clicks.
 
     whole_way_test.py [FOLDER]
 
@@ -48,8 +48,8 @@ class WholeWay(unittest.TestCase):
         self.assertEqual(self.page.complaints(), [])
 
     def choose(self, button, *names):
-        """Opens the file dialog and clicks from the folders that may be read through others, each named by the end of
-        its path, to a file, or to a folder that is then taken."""
+        """Opens the file dialog and clicks from the readable folders through others, each named by the end of its path,
+        to a file, or to a folder that is then chosen."""
         before = self.page.revision()
         self.page.click(button)
         while self.read_folder() != 'Folders that may be read':
@@ -150,7 +150,7 @@ class WholeWay(unittest.TestCase):
         self.report()
 
     def chosen(self):
-        """How many scenes and labels are shown."""
+        """The numbers of scenes and labels that are shown."""
         return [int(each) for each in re.findall(r'\d+', self.page.text('.chosen'))]
 
     def choose_of(self, label, value):
@@ -204,7 +204,7 @@ class WholeWay(unittest.TestCase):
         self.assertIn('<html', text)
 
     def compare_with_generate(self):
-        """The file that the page has written makes the same dataset by hand."""
+        """The settings file that the page has written gives the same dataset on the command line."""
         other = self.folder / 'by_hand'
         subprocess.run(['rosrun', 'synthetic_dataset', 'generate', '--config', str(self.file), f'output_folder:={other}'],
                        check=True, stdout=subprocess.DEVNULL)
@@ -239,7 +239,7 @@ class WholeWay(unittest.TestCase):
         self.assertNotIn('of other settings', self.page.text('#pane'))
 
     def ask_again_elsewhere(self):
-        """What was asked about one folder is not answered for another."""
+        """A confirmation for one folder does not count for another."""
         here, there = str(self.folder / 'dataset'), str(self.folder / 'other')
         subprocess.run(['rosrun', 'synthetic_dataset', 'generate', '--config', str(self.file), f'output_folder:={there}',
                         'simulated_rate:=3'], check=True, stdout=subprocess.DEVNULL)

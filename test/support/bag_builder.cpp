@@ -20,7 +20,7 @@
 
 namespace synthetic_dataset::test {
 
-/// As gazebo_msgs/ModelStates and LinkStates.
+/// Has the fields of gazebo_msgs/ModelStates and LinkStates.
 struct GazeboStates {
   std::vector<std::string> name;
   std::vector<geometry_msgs::Pose> pose;

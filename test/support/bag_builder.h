@@ -50,7 +50,7 @@ class BagBuilder {
     Stamp recorded{0};
     double x = 0.0, y = 0.0, z = 0.0;
     double qx = 0.0, qy = 0.0, qz = 0.0, qw = 1.0;
-    std::string publisher = {};  ///< the node that sent it; none: the bag does not say
+    std::string publisher = {};  ///< the node that sent it; if empty, the bag does not name it
   };
   BagBuilder& add(const Transform& transform);
 
@@ -82,25 +82,26 @@ class BagBuilder {
   BagBuilder& calibrate(const std::string& topic, const std::string& frame, Stamp recorded,
                         double focal_length, const std::vector<double>& distortion = {});
 
-  /// Calibrations from now on are of images of this size [px], with their centre in its middle.
+  /// From now on, calibrations are for images of this size [px], with the principal point in the
+  /// middle.
   BagBuilder& resizeCamera(std::uint32_t width, std::uint32_t height);
 
-  /// A sensor_msgs/Image of such pixels, recorded at its stamp.
-  /// @param encoding  of sensor_msgs/image_encodings.h, as the pixels' type is
+  /// A sensor_msgs/Image of these pixels, recorded at its stamp.
+  /// @param encoding  a name in sensor_msgs/image_encodings.h that fits the pixels' type
   BagBuilder& picture(const std::string& topic, Stamp stamp, const cv::Mat& pixels,
                       const std::string& encoding);
 
-  /// Pictures, depth images and clouds from now on have this frame.
+  /// From now on, pictures, depth images and clouds have this frame.
   BagBuilder& from(const std::string& frame);
 
-  /// A sensor_msgs/PointCloud2 of numbers of 32 bits, recorded at its stamp.
+  /// A sensor_msgs/PointCloud2 with 32-bit float coordinates, recorded at its stamp.
   BagBuilder& cloud(const std::string& topic, Stamp stamp,
                     const std::vector<Eigen::Vector3d>& points);
 
-  /// The same as it is, recorded at its stamp.
+  /// The given sensor_msgs/PointCloud2 as it is, recorded at its stamp.
   BagBuilder& cloud(const std::string& topic, const sensor_msgs::PointCloud2& message);
 
-  /// A picture of one grey pixel with a stamp of its own.
+  /// A picture of one grey pixel whose stamp differs from its record time.
   BagBuilder& pictureAt(const std::string& topic, Stamp recorded, Stamp stamp);
 
   /// A sensor_msgs/CompressedImage, recorded at its stamp.
@@ -121,7 +122,7 @@ class BagBuilder {
   /// A nav_msgs/OccupancyGrid, as it is.
   BagBuilder& map(const Map& map);
 
-  /// Transforms from now on go into a chunk of their own each, as long recordings have many chunks.
+  /// From now on, each message goes into a chunk of its own; long recordings have many chunks.
   BagBuilder& splitChunks();
 
   /// Completes the file and returns its name.

@@ -15,10 +15,10 @@ namespace synthetic_dataset::test {
 /// The eight corners of such a box.
 [[nodiscard]] std::vector<Eigen::Vector3d> boxCorners(const Eigen::Vector3d& size);
 
-/// Links to draw, with their poses, and who owns them.
+/// Links to draw, their poses, and the objects that they belong to.
 class Stage {
  public:
-  /// Adds a box. @param object  index of the object that it is, -1 for the world
+  /// Adds a box. @param object  index of the object that the box belongs to, -1 for the world
   void addBox(const Eigen::Vector3d& size, const Pose& X_WL, int object = -1,
               const world::Material& material = {});
 

@@ -22,7 +22,7 @@ struct CloudFieldNumbers {
 
 enum class ByteOrder { kLittle, kBig };
 
-/// Writes a number as a field's type has it.
+/// Writes a number in a field's type and byte order.
 template <class Number>
 void putNumber(double value, ByteOrder order, std::uint8_t* bytes) {
   const auto number = static_cast<Number>(value);
@@ -30,8 +30,8 @@ void putNumber(double value, ByteOrder order, std::uint8_t* bytes) {
   if (order == ByteOrder::kBig) std::reverse(bytes, bytes + sizeof number);
 }
 
-/// A sensor_msgs/PointCloud2, field by field, with a byte between them; rows have three more.
-/// @param height  rows, among which the points are shared evenly
+/// A sensor_msgs/PointCloud2 with a byte of padding before each field and three after each row.
+/// @param height  number of rows, among which the points are shared evenly
 inline sensor_msgs::PointCloud2 cloudMessage(const std::string& frame, Stamp stamp,
                                              const std::vector<CloudFieldNumbers>& fields,
                                              ByteOrder order = ByteOrder::kLittle,

@@ -6,8 +6,8 @@
 
 namespace synthetic_dataset::test {
 
-/// All that a description says of models, lights and cameras, a line each, for comparing two: of
-/// meshes how many vertices they have and where those are together.
+/// A description's models, lights and cameras as lines of text, for comparing two descriptions; a
+/// mesh is summarized by its numbers of vertices and indices and the sum of its positions.
 [[nodiscard]] std::string textOf(const world::Description& description);
 
 }  // namespace synthetic_dataset::test

@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::test {
 
-/// What an action says when it fails: the messages of its Error; none when it does not fail.
+/// The messages of the Error that an action throws; none if it does not fail.
 [[nodiscard]] std::vector<std::string> messagesOf(const std::function<void()>& action);
 
 }  // namespace synthetic_dataset::test

@@ -10,11 +10,11 @@
 
 namespace synthetic_dataset::test {
 
-/// A source of motion in a line:
+/// A source of motion that is made in one line:
 ///   FakeFrameSource source({{"alpha", [](Stamp time) { return poseAt(toSeconds(time), 0, 0); }}});
 class FakeFrameSource : public motion::FrameSource {
  public:
-  /// X_GF by time; nothing where it is not known.
+  /// X_GF by time; nothing when it is not known.
   using PoseAt = std::function<std::optional<Pose>(Stamp time)>;
 
   explicit FakeFrameSource(const std::map<std::string, PoseAt>& frames = {},

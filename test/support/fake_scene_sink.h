@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::test {
 
-/// Keeps the scenes that it gets.
+/// Keeps the scenes that it receives.
 struct FakeSceneSink : run::SceneSink {
   [[nodiscard]] Requirements requirements() const override { return required; }
   void begin(const DatasetInfo& info) override { dataset = info; }
@@ -21,14 +21,14 @@ struct FakeSceneSink : run::SceneSink {
   }
   void finish(run::RunEnd how) override { end = how; }
 
-  // What it is asked.
+  // How it answers.
   Requirements required;
   std::function<bool(std::int64_t scene)> is_wanted = [](std::int64_t) { return true; };
   std::function<void(const run::FinishedScene&)> on_add = [](const run::FinishedScene&) {
   };                                    ///< may throw
   std::vector<base::Warning> warnings;  ///< about each scene
 
-  // What it got.
+  // What it received.
   std::optional<DatasetInfo> dataset;
   std::vector<run::FinishedScene> scenes;
   std::optional<run::RunEnd> end;

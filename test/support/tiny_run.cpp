@@ -74,7 +74,7 @@ Value::Map TinyRun::object(const std::string& id) {
 
 Value::Map TinyRun::parameters() const {
   const auto file = [&](const char* name) { return Value((*folder_ / name).string()); };
-  // Three metres before the objects and one above, looking along the global +x.
+  // Three metres in front of the objects and half a metre up, looking along the global +x.
   const Value::List pose = {Value(-3.0), Value(0.2),  Value(0.5), Value(-0.5),
                             Value(0.5),  Value(-0.5), Value(0.5)};
   return {{"bag_file", file("tiny.bag")},

@@ -18,7 +18,7 @@ class TinyRun {
 
   [[nodiscard]] const TemporaryFolder& folder() const { return *folder_; }
 
-  /// Parameters for which everything is right; the dataset goes to folder() / "out".
+  /// Valid parameters; the dataset goes to folder() / "out".
   [[nodiscard]] Value::Map parameters() const;
 
   /// An object's parameters: a box of 0.4 m with two keypoints.

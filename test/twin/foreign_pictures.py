@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Records robots as PyBullet draws them, lets `generate` label the pictures, and compares masks.
+"""Records robots drawn by PyBullet, lets `generate` label the pictures, and compares masks.
 
     foreign_pictures.py FOLDER
 
@@ -25,15 +25,15 @@ LEAST = 0.97
 SCENES, PERIOD, START = 30, 0.1, 1000.0  # [s]
 WIDTH, HEIGHT, FOCAL = 640, 480, 600.0  # [px]
 NEAR, FAR = 0.05, 20.0  # [m]
-# Its rasteriser has its samples at the pixels' lower left corners, and the picture turned over.
+# PyBullet's rasteriser samples at the pixels' lower left corners, and its picture is upside down.
 CENTRE = (WIDTH / 2, HEIGHT / 2 - 1)
 EYE, TARGET = np.array([-2.0, -0.9, 1.1]), np.array([0.0, 0.0, 0.3])
 ROBOTS = {'husky': ('husky/husky.urdf', 0.15), 'arm': ('kuka_iiwa/model.urdf', 0.0),
-          'quadruped': ('a1/a1.urdf', 0.4)}  # and the height of its base [m]
+          'quadruped': ('a1/a1.urdf', 0.4)}  # with the height of the base [m]
 
 
 def optical_pose():
-    """The camera's optical frame in the world: a rotation and a position."""
+    """The pose of the camera's optical frame in the world: a rotation and a position."""
     ahead = (TARGET - EYE) / np.linalg.norm(TARGET - EYE)
     right = np.cross(ahead, [0, 0, 1])
     right /= np.linalg.norm(right)
@@ -58,11 +58,11 @@ def transform(stamp, parent, child, position, orientation):
 
 
 def place(robot, joints, height, seconds):
-    """Moves the base on a circle, turned, and each joint to and fro within its limits."""
+    """Moves the base on a circle while it turns, and each joint back and forth within its limits."""
     yaw = 0.8 * seconds
     position = [0.25 * math.cos(seconds), 0.25 * math.sin(seconds), height]
     orientation = pybullet.getQuaternionFromEuler([0.1 * math.sin(seconds), 0.05, yaw])
-    local, turned = pybullet.getDynamicsInfo(robot, -1)[3:5]  # of the inertia in the link
+    local, turned = pybullet.getDynamicsInfo(robot, -1)[3:5]  # the inertial frame in the link
     pybullet.resetBasePositionAndOrientation(
         robot, *pybullet.multiplyTransforms(position, orientation, local, turned))
     for place_in_list, joint in enumerate(joints):
@@ -105,7 +105,7 @@ def record(urdf, height, bag):
     calibration.distortion_model, calibration.D = 'plumb_bob', [0.0] * 5
     calibration.header.frame_id = 'eye'
     bag.write('/camera_info', calibration, rospy.Time.from_sec(START))
-    # TF goes on for one more, as scenes end where TF does.
+    # TF continues for one more instant, as scenes end where TF ends.
     for scene in range(SCENES + 1):
         stamp = rospy.Time.from_sec(START + scene * PERIOD)
         frames = [transform(stamp, 'map', f'robot/{base}', *place(robot, joints, height, scene * PERIOD))]

@@ -62,7 +62,7 @@ TEST(ArticulatedObject, PushesPropsWithADrivenLink) {
   };
   world.advanceTo(Stamp(0), motion);
   world.advanceTo(seconds(2), motion);
-  // The arm's front is at x = 1.1 now, and the box before it.
+  // The arm's front is at x = 1.1 now, with the box in front of it.
   EXPECT_GT(world.linkPoses()[1].translation().x(), 1.15);
 }
 

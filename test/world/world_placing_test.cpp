@@ -1,4 +1,4 @@
-/// What the world does for scenes that have nothing to do with one another.
+/// What the world does for scenes that are independent of one another.
 
 #include <cmath>
 #include <optional>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 constexpr Stamp kStart = seconds(1000);
 const BoxShape kCube{{0.5, 0.5, 0.5}};
 
-/// Goes through where the heap lies.
+/// A motion through the heap.
 Pose stir(int object, Stamp time) {
   const double t = toSeconds(time - kStart);
   return turnedAt({std::sin(3 * t) - 0.4 * object, 0.2 * object, 0.25}, t, {0, 0, 1});
@@ -156,7 +156,7 @@ TEST(SettleProps, TakesNoNoticeOfTheObjects) {
 TEST(SettleProps, EndsWithItsTime) {
   World world(descriptionOf({modelOf("box", kCube, at(0, 0, 100))}), {}, {});
   world.settleProps(seconds(1));
-  // g t^2 / 2, and up to a step's speed times its length more.
+  // g t^2 / 2, plus at most the last speed times the length of a step.
   EXPECT_NEAR(world.linkPoses()[0].translation().z(), 100 - 0.5 * 9.81, 0.04);
 }
 
@@ -187,7 +187,7 @@ TEST(Drop, LeavesNoTwoBoxesInsideOneAnother) {
   World world(descriptionOf({ground()}), twoCubes(), dropping());
   const auto X_WO = world.drop({at(0, 0, 0.3), at(0.1, 0.05, 0.9)}, seconds(10));
   ASSERT_TRUE(X_WO);
-  // Both flat, one on the other.
+  // Both lie flat, one on top of the other.
   EXPECT_NEAR((*X_WO)[0]->translation().z(), 0.25, 0.005);
   EXPECT_NEAR((*X_WO)[1]->translation().z(), 0.75, 0.01);
 }
@@ -254,7 +254,7 @@ TEST(Drop, NeedsACollision) {
 
 class Obstacles : public ::testing::Test {
  protected:
-  /// A wall whose face is at x = 1 and a prop whose face is at y = 1; cubes of 0.5 m among them.
+  /// A wall whose face is at x = 1, a prop whose face is at y = 1, and cubes of 0.5 m as objects.
   World world{descriptionOf({staticModelOf("wall", BoxShape{{1, 9, 9}}, at(1.5, 0, 0)),
                              modelOf("crate", BoxShape{{1, 1, 1}}, at(0, 1.5, 0))}),
               twoCubes(),
@@ -324,7 +324,7 @@ TEST_F(Obstacles, NearABallAreObjectsWhereTheyStandNow) {
 }
 
 TEST_F(Obstacles, NearABallAreRound) {
-  // Beyond the crate's edge at x = 0.5, y = 1: 0.3 m and 0.4 m are 0.5 m.
+  // From the crate's edge at x = -0.5, y = 1: 0.3 m and 0.4 m across make 0.5 m.
   EXPECT_EQ(world.obstacleNear({-0.8, 0.6, 0}, 0.49), std::nullopt);
   EXPECT_EQ(world.obstacleNear({-0.8, 0.6, 0}, 0.51), "crate");
 }

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr Stamp kStart = seconds(1'600'000'000) + nanoseconds(123'456'789);
 
-/// A path with nothing round about it, in any direction.
+/// A path without round numbers, which also turns about no coordinate axis.
 Pose wander(int object, Stamp time) {
   const double t = toSeconds(time - kStart) + 0.37 * object;
   return turnedAt({std::sin(t), 0.3 * t - 1, 0.25 + 0.2 * std::sin(2 * t)}, 0.7 * t, {1, 2, 3});

@@ -25,10 +25,10 @@ MovingObject smallOrLarge(double small, double large) {
   return MovingObject(std::vector<MovingModel>{cube("one", small), cube("one", large)});
 }
 
-/// One a cube of 0.2 m or of 2 m, beside a cube of 0.4 m that is always the same.
+/// A cube of 0.2 m or of 2 m, and beside it a cube of 0.4 m that is always the same.
 std::vector<MovingObject> objects() { return {smallOrLarge(0.2, 2.0), cube("two", 0.4)}; }
 
-/// A metre apart: only the large one reaches the other.
+/// A metre apart: only the large variant reaches the other object.
 ObjectPose apart(int variant, Stamp /*time*/) {
   return ObjectPose(at(variant == 2 ? 1.0 : 0.0, 0, 2));
 }
@@ -74,7 +74,7 @@ TEST(WorldVariants, StandWhereTheObjectIsEvenWhileTheyAreNotActive) {
   EXPECT_TRUE(world.linkPoses()[1].isApprox(at(0, 0, 2)));
 }
 
-/// A ball that lies still, while an object stands about it that only fits in its small size.
+/// A ball lies still while an object slides towards it, which only touches it in its large size.
 TEST(WorldVariants, PushPropsOnlyWhileTheyAreActive) {
   const auto ballAfter = [](std::size_t variant) {
     World world(descriptionOf({ground(), modelOf("ball", SphereShape{0.1}, at(0.5, 0, 0.1))}),
@@ -90,7 +90,7 @@ TEST(WorldVariants, PushPropsOnlyWhileTheyAreActive) {
   EXPECT_GT(ballAfter(1), 0.6);
 }
 
-/// A ball on a floor that is there now and then, below the ball all the time.
+/// The ball lies on an object that stays below it, but whose large variant is only active at times.
 TEST(WorldVariants, HoldPropsFromWhenTheyBecomeActiveUntilTheyNoLongerAre) {
   World world(descriptionOf({modelOf("ball", SphereShape{0.1}, at(0, 0, 1.0))}),
               {smallOrLarge(0.01, 1.0)}, {});
@@ -105,7 +105,7 @@ TEST(WorldVariants, HoldPropsFromWhenTheyBecomeActiveUntilTheyNoLongerAre) {
   EXPECT_LT(heightAfter(0, seconds(5)), 0.7) << "through where the large one was";
 }
 
-/// The same body away and back at one and the same pose.
+/// The same body goes away and comes back, always at the same pose.
 TEST(WorldVariants, CanComeBackWhereTheyWere) {
   World world(descriptionOf({modelOf("ball", SphereShape{0.1}, at(0.02, 0, 1.0))}),
               {smallOrLarge(0.01, 0.4)}, {});
@@ -119,7 +119,7 @@ TEST(WorldVariants, CanComeBackWhereTheyWere) {
   EXPECT_GT(world.linkPoses()[0].translation().z(), 0.25) << "it fell on the large one";
 }
 
-/// A ball that lies on an object until that is nowhere any more.
+/// A ball lies on an object until the object is nowhere any more.
 TEST(WorldObjects, ThatAreNowherePushNothingAndAreInNothingsWay) {
   World world(descriptionOf({modelOf("ball", SphereShape{0.1}, at(0, 0, 1.0))}),
               {smallOrLarge(0.2, 1.0)}, {});
@@ -138,7 +138,7 @@ TEST(WorldObjects, ThatAreNowherePushNothingAndAreInNothingsWay) {
   EXPECT_EQ(world.obstacleAt(0, at(0, 0, 0.4), {std::nullopt}), std::nullopt);
 }
 
-/// They lie as high as they are large.
+/// The larger variant comes to rest higher.
 TEST(WorldVariants, FallInTheActiveOne) {
   PhysicsOptions options;
   options.drops_objects = true;

@@ -11,7 +11,7 @@ namespace box_table_writer {
 
 using namespace synthetic_dataset;
 
-/// `images/N.png`, and a table with a row for each object that is to be seen: the box around its
+/// Writes `images/N.png`, and a table with a row for each visible object: the box around its
 /// visible pixels.
 class BoxTableWriter : public LabelWriter {
  private:

@@ -1,4 +1,4 @@
-"""The shared parts of pages for a browser. Each page is one file with its pictures inside and loads nothing."""
+"""Shared parts of the HTML pages. Each page is a single file that contains its pictures and loads nothing."""
 import base64
 import html
 import io
@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).parent
 
 
 def rendered(folder, **values):
-    """The folder's page.html with values, as HTML; its page.css, where there is one, comes after base.css."""
+    """The folder's page.html rendered with values; its page.css, if there is one, comes after base.css."""
     loader = jinja2.FileSystemLoader([str(folder), str(HERE)])
     environment = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True,
                                      undefined=jinja2.StrictUndefined)
@@ -24,25 +24,25 @@ def rendered(folder, **values):
 
 
 def _with_code(text):
-    """Shows text in backquotes as code."""
+    """The text as HTML, with parts in backquotes as code."""
     parts = [html.escape(part) for part in text.split('`')]
     return ''.join(f'<code>{part}</code>' if place % 2 else part for place, part in enumerate(parts))
 
 
 def embedded(picture, kind='jpeg'):
-    """A picture as the URL of an image of a page."""
+    """A picture as a data URL for an image in a page."""
     content = io.BytesIO()
     picture.save(content, format=kind.upper(), **({'quality': 82} if kind == 'jpeg' else {}))
     return f'data:image/{kind};base64,' + base64.b64encode(content.getvalue()).decode('ascii')
 
 
 def write(page, file):
-    """Writes a page. The file is there when it is whole.
+    """Writes a page. The file appears only when it is complete.
 
-    @throws DatasetError where it cannot be written
+    @throws DatasetError if it cannot be written
     """
     target = pathlib.Path(file).resolve()
-    # Beside it, as a name is moved within one file system alone; verify passes over this name.
+    # In the same folder, as files can only be renamed within a file system; verify ignores this name.
     temporary = target.with_name(f'.{target.name}.tmp')
     try:
         temporary.write_text(page, 'utf-8')

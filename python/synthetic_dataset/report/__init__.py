@@ -1,1 +1,1 @@
-"""Makes a page of a dataset: what is in it, what to look at. docs/report.md"""
+"""Makes a page about a dataset: what is in it, and what to look at. See docs/report.md."""

@@ -1,17 +1,17 @@
-"""What is in a dataset's images, which the manifest does not say."""
+"""Measures of a dataset's images that are not in the manifest."""
 import numpy as np
 from PIL import Image
 
 from synthetic_dataset.manifest import DatasetError
 
-MOST_IMAGES = 500  # that are read; more would take long and say the same
-SMALL = 64  # the width of the image in which detail is looked for [px]: without noise and the grain of a ground
-PLAIN = 8  # the most by which neighbours of a plain surface differ there, of 255
+MOST_IMAGES = 500  # to read; more would take long and not change the result
+SMALL = 64  # width to which images are reduced to measure detail [px]: this removes noise and a ground's grain
+PLAIN = 8  # largest difference between neighbouring pixels of a plain surface in such an image, of 255
 
 
 class Brightness:
-    """Of at most MOST_IMAGES scenes spread over all: the images' mean brightness, 0 to 255, and how much of what surrounds
-    the labels is not plain, 0 to 1."""
+    """Measures of at most MOST_IMAGES scenes, spread evenly: the mean brightness of images, 0 to 255, and the share of the
+    labels' surroundings that is not plain, 0 to 1."""
 
     def __init__(self, dataset, measures):
         count = len(measures.scene_index)
@@ -30,7 +30,7 @@ class Brightness:
         self.detail = float(np.nanmean(details)) if not np.all(np.isnan(details)) else None
 
     def darkest(self, count):
-        """Rows of scenes, the darkest first."""
+        """The rows of the darkest scenes, the darkest first."""
         order = np.argsort(self.values, kind='stable')
         return [int(row) for row in self.rows[order][:count]]
 
@@ -38,12 +38,12 @@ class Brightness:
 def _grey(file):
     with Image.open(file) as picture:
         width = max(SMALL, picture.width // 4)
-        picture.draft('L', (width, width * picture.height // picture.width))  # JPEG alone: decodes less
+        picture.draft('L', (width, width * picture.height // picture.width))  # only for JPEG: decodes at a reduced size
         return picture.convert('L')
 
 
 def detail(grey, boxes):
-    """The share of what is outside of the boxes that differs from a neighbour; NaN where boxes fill the image.
+    """The share of pixels outside the boxes that differ from a neighbour; NaN if boxes fill the image.
 
     @param boxes  as shares of the image's width
     """

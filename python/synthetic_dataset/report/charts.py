@@ -1,4 +1,4 @@
-"""The page's charts: each a text of SVG."""
+"""The page's charts, each as SVG text."""
 import functools
 import html
 import io
@@ -6,12 +6,12 @@ import re
 
 import matplotlib
 
-matplotlib.use('Agg')  # before pyplot, which would look for a display
+matplotlib.use('Agg')  # before pyplot is imported, which would look for a display
 from matplotlib import colors, pyplot, ticker  # noqa: E402
 import numpy as np  # noqa: E402
 
 INK, FAINT, ACCENT = '#1d2733', '#8794a3', '#2f6f9f'
-# Okabe and Ito's colours, which colour-blind people tell apart, darkest first.
+# Okabe and Ito's colours, which colour-blind people can tell apart, darkest first.
 PALETTE = ('#0072b2', '#d55e00', '#009e73', '#cc79a7', '#b8860b', '#56b4e9', '#7a5195', '#6b7280')
 SPLIT_COLOURS = {'train': '#2f6f9f', 'val': '#e39b3a', 'test': '#5aa469', '': '#2f6f9f'}
 HEAT = colors.LinearSegmentedColormap.from_list(
@@ -30,7 +30,7 @@ STYLE = {
 
 
 def colours_of(measures):
-    """A colour for each class; of many classes, those with fewest labels share one."""
+    """A colour for each class; of many classes, those with the fewest labels share one."""
     if len(measures.class_names) <= len(PALETTE):
         return list(PALETTE[:len(measures.class_names)])
     colours = [FAINT] * len(measures.class_names)
@@ -40,18 +40,18 @@ def colours_of(measures):
 
 
 def by_frequency(measures):
-    """The indices of classes, that with most labels first."""
+    """The indices of classes, sorted by number of labels, most first."""
     counts = np.bincount(measures.label_class, minlength=len(measures.class_names))
     return np.argsort(-counts, kind='stable')
 
 
 def short(name, letters=MOST_LETTERS):
-    """A name that leaves room for a chart."""
+    """The name, shortened to leave room for the chart."""
     return name if len(name) <= letters else name[:letters - 1] + '…'
 
 
 def _styled(draw):
-    """All that a chart is made of looks at the style when it is made."""
+    """Applies the style while a chart is drawn: matplotlib reads it for each part it creates."""
     @functools.wraps(draw)
     def drawn(*arguments, **options):
         with matplotlib.rc_context(STYLE):
@@ -64,17 +64,17 @@ def _figure(width=4.5, height=2.7):
 
 
 def _svg(figure, description):
-    """The figure as SVG without a size of its own, so that it fills its place in the page."""
+    """The figure as SVG without a fixed size, so that it fills its place in the page."""
     text = io.StringIO()
-    # Without a date: equal datasets have equal pages.
+    # No date, so that equal datasets give equal pages.
     figure.savefig(text, format='svg', transparent=True, metadata={'Date': None})
     pyplot.close(figure)
     svg = text.getvalue()
     svg = svg[svg.index('<svg'):]
-    # Its style would hold for the whole page.
+    # A style element would apply to the whole page.
     svg = re.sub(r'<metadata>.*?</metadata>|<style.*?</style>', '', svg, flags=re.DOTALL)
     svg = re.sub(r' (width|height)="[\d.]+pt"', '', svg, count=2)
-    # Names are the same in all charts of a page otherwise.
+    # Without a prefix, identifiers would be the same in all charts of a page.
     prefix = re.sub(r'\W', '', description)
     svg = re.sub(r'(id="|href="#|url\(#)', lambda found: f'{found.group(1)}{prefix}_', svg)
     return svg.replace('<svg ', f'<svg role="img" aria-label="{html.escape(description)}" '
@@ -82,12 +82,12 @@ def _svg(figure, description):
 
 
 def _series(measures, values, of_labels=True):
-    """Yields each class's name, colour and values; further classes are one series together."""
+    """Yields each class's name, colour and values; the remaining classes form one series."""
     yield from _series_of(measures, measures.label_class, values, of_labels)
 
 
 def _series_of(measures, classes, values, of_values=True):
-    """The same of values that are no labels'. @param classes  the class of each"""
+    """_series for values that do not belong to labels. @param classes  the class of each value"""
     colours = colours_of(measures)
     shown = [each for each, colour in enumerate(colours) if colour != FAINT]
     letters = MOST_LETTERS if len(colours) <= 3 else MOST_LETTERS // 2
@@ -101,13 +101,13 @@ def _series_of(measures, classes, values, of_values=True):
 
 
 def histogram(measures, values, label, bins, log=False, marks=(), of_labels=True):
-    """How often labels have a value, by class."""
+    """A histogram of a value of the labels, by class."""
     series = _series(measures, np.clip(values, bins[0], bins[-1]), of_labels)
     return _stacked(list(series), label, 'labels', bins, log, marks)
 
 
 def of_classes(measures, classes, values, label, of_what, bins, log=False, marks=()):
-    """The same of what are no labels. @param classes  the class of each value"""
+    """A histogram of values that are not those of labels. @param classes  the class of each"""
     series = _series_of(measures, classes, np.clip(values, bins[0], bins[-1]))
     return _stacked(list(series), label, of_what, bins, log, marks)
 
@@ -155,7 +155,7 @@ def _legend(axes, **options):
 
 @_styled
 def class_counts(measures, splits, counts):
-    """Labels of each class, by split; of the classes with most labels, where there are many."""
+    """Labels of each class, by split; only the classes with the most labels if there are many."""
     shown = sorted(by_frequency(measures)[:MOST_BARS])
     names, counts = [short(measures.class_names[each]) for each in shown], counts[shown]
     figure, axes = _figure()
@@ -180,7 +180,7 @@ def class_counts(measures, splits, counts):
 
 @_styled
 def positions(boxes, size, name):
-    """Which share of the labels' boxes covers each place of the image."""
+    """The share of the labels' boxes that covers each place in the image."""
     columns = 64
     rows = max(1, int(round(columns * size[1] / size[0])))
     change = np.zeros((rows + 1, columns + 1))
@@ -205,9 +205,9 @@ def positions(boxes, size, name):
 
 @_styled
 def box_sizes(measures):
-    """Width and height of boxes, each class's points on logarithmic axes."""
+    """Widths and heights of boxes by class, as points on logarithmic axes."""
     figure, axes = _figure()
-    most = 4000  # points that an SVG should have
+    most = 4000  # points in one SVG
     step = max(1, measures.count // most)
     order = np.arange(0, measures.count, step)
     sizes = np.maximum(measures.box_size, 1.0)
@@ -220,7 +220,7 @@ def box_sizes(measures):
     for side, text in ((32, '32² px'), (96, '96² px')):
         line = np.geomspace(lowest, limit, 50)
         axes.plot(line, side * side / line, color=INK, linewidth=0.7, linestyle=(0, (4, 3)))
-        if lowest < side < limit:  # where it enters from the left
+        if lowest < side < limit:  # where the line enters from the left
             start = max(lowest, side * side / limit)
             axes.annotate(text, (start, side * side / start), xytext=(14, -2), fontsize=7.5,
                           textcoords='offset points', va='top')
@@ -241,7 +241,7 @@ def box_sizes(measures):
 
 @_styled
 def view_angles(azimuth, elevation, name):
-    """From where objects of a class are seen."""
+    """The directions from which objects of a class are seen."""
     figure, axes = _figure()
     table, x_edges, y_edges = np.histogram2d(azimuth, elevation, bins=(36, 18),
                                              range=((-180, 180), (-90, 90)))

@@ -1,4 +1,4 @@
-"""Which scenes a page shows."""
+"""Chooses the scenes that a page shows."""
 import collections
 
 import numpy as np
@@ -9,7 +9,7 @@ RANDOM, OF_EACH_KIND = 4, 2
 
 
 def choose(measures, brightness):
-    """Scenes that say most of a dataset, with the reason; each once."""
+    """The most informative scenes of a dataset, with the reason for each; no scene twice."""
     chosen = []
 
     def take(rows, reason, count):
@@ -19,7 +19,7 @@ def choose(measures, brightness):
 
     scene_count = len(measures.scene_index)
     take([0] if scene_count else [], 'first', 1)
-    # The same ones each time.
+    # The same scenes each time.
     take(np.random.RandomState(0).permutation(scene_count), 'random', RANDOM)
     rarest = _rarest(measures)
     if rarest is not None:
@@ -36,7 +36,7 @@ def choose(measures, brightness):
 
 
 def _rarest(measures):
-    """The class with the fewest labels that has any; None where there is one class alone."""
+    """The class with the fewest labels, but at least one; None if only one class has labels."""
     counts = np.bincount(measures.label_class, minlength=len(measures.class_names))
     present = np.flatnonzero(counts)
     return int(present[np.argmin(counts[present])]) if len(present) > 1 else None

@@ -1,4 +1,4 @@
-"""Clouds of lidars: their numbers, and pictures that `draw_labels` makes of some sweeps."""
+"""Lidar point clouds: statistics, and pictures that `draw_labels` makes of some sweeps."""
 import collections
 import json
 import pathlib
@@ -13,13 +13,13 @@ from synthetic_dataset import pages
 from synthetic_dataset.report import charts
 
 MOST_MEASURED, MOST_SHOWN = 24, 3  # sweeps of each lidar
-FEW = 5  # points, with which hardly anybody finds an object
+FEW = 5  # points; with fewer, an object can hardly be detected
 
 Lidar = collections.namedtuple('Lidar', 'name sweeps points share classes labelled pictures')
 
 
 class Clouds:
-    """What a page says of clouds; nothing of a dataset without lidars."""
+    """The clouds' part of the page; false for a dataset without lidars."""
 
     def __init__(self, dataset, measures):
         self.points = _points_of_objects(dataset)
@@ -36,7 +36,7 @@ class Clouds:
         return self.points is not None
 
     def _chart(self, measures):
-        """How many points objects have, of those that have any."""
+        """A chart of how many points objects have, for those that have any."""
         classes = np.concatenate([measures.class_of_object] * len(self.points))
         counts = self.points.ravel()
         met = counts > 0
@@ -52,7 +52,7 @@ class Clouds:
 
 
 def _points_of_objects(dataset):
-    """How many points each object (columns) has in each sweep (rows); None without lidars."""
+    """The number of points of each object (columns) in each sweep (rows); None without lidars."""
     if 'scene_picture' not in dataset.manifest.tables():
         return None
     rows = dataset.manifest.rows(
@@ -68,8 +68,8 @@ def _points_of_objects(dataset):
 
 
 def _lidars(dataset):
-    """What the files say of each lidar's sweeps, some of them all over the dataset."""
-    first_camera = dataset.cameras[0]  # whose scenes have the clouds
+    """Statistics of each lidar from its files, for some sweeps spread over the dataset."""
+    first_camera = dataset.cameras[0]  # the clouds are in the scenes of the first camera
     scenes = [index for index, in dataset.manifest.rows(
         "SELECT \"index\" FROM scene WHERE camera = ? AND state IN ('written', 'complete') ORDER BY \"index\"",
         (first_camera,))]
@@ -83,21 +83,21 @@ def _lidars(dataset):
 
 
 def _spread(values, most):
-    """So many of them, at equal distances, the first and the last among them."""
+    """At most so many of the values, equally spaced, including the first and the last."""
     if len(values) <= most:
         return list(values)
     return [values[place] for place in np.linspace(0, len(values) - 1, most).round().astype(int)]
 
 
 def _drawn(dataset, folder, scenes):
-    """What `draw_labels` prints of each sweep of these scenes, whose pictures it leaves in a folder."""
+    """The output of `draw_labels` for each sweep of these scenes, which it draws into a folder."""
     ended = subprocess.run([_program(), '--clouds', dataset.folder, folder, *map(str, scenes)],
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=True)
     return [json.loads(line) for line in ended.stdout.splitlines()]
 
 
 def _program():
-    """`draw_labels`, which is beside `report`."""
+    """The path of `draw_labels`, usually beside `report`."""
     beside = pathlib.Path(sys.argv[0]).parent / 'draw_labels'
     if beside.exists():
         return beside

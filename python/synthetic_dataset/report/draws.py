@@ -1,4 +1,4 @@
-"""What was drawn at random for the scenes of a dataset."""
+"""The values that were drawn at random for the scenes of a dataset."""
 import itertools
 import json
 import operator
@@ -10,7 +10,7 @@ MOST_TEXTS = 4
 
 
 def drawn_values(dataset):
-    """A row for each number that was drawn: its name, range, mean, and the bars of a histogram."""
+    """A row for each random value: its name, range, mean, and the bars of a histogram."""
     rows = dataset.manifest.rows('SELECT name, value FROM draw ORDER BY name')
     found = []
     for name, draws in itertools.groupby(rows, key=operator.itemgetter(0)):

@@ -1,11 +1,11 @@
-"""What a reader of the page should look at: each with the figure and the cure."""
+"""Findings for the reader of the page, each with its figures and a remedy."""
 import collections
 
 import numpy as np
 
 TINY, HARDLY_VISIBLE = 100, 0.1  # visible pixels, visibility
 DARK, BRIGHT = 25, 230  # mean brightness, of 255
-FEW = 0.1  # of the labels of the class with most
+FEW = 0.1  # share of the labels of the class with the most
 
 Finding = collections.namedtuple('Finding', 'is_problem text cure')
 
@@ -40,7 +40,7 @@ def findings(dataset, measures, splits, counts, brightness, neighbours, variety)
 
 
 def cure_of_neighbours(settings):
-    """Names no setting as wrong that is not set."""
+    """The remedy; it does not blame a setting that is not set."""
     others = 'lower `simulated_rate`, or give a split a motion of its own.'
     if settings.get('split/by') == 'scenes':
         return f'Leave `split/by: scenes` out, so that splits are stretches of time, {others}'

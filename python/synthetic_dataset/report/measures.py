@@ -1,4 +1,4 @@
-"""What the manifest says of a dataset's labels, as arrays with an entry for each label."""
+"""The manifest's measures of a dataset's labels, as arrays with an entry for each label."""
 import numpy as np
 
 from synthetic_dataset import poses
@@ -8,7 +8,7 @@ EDGES = ('left', 'top', 'right', 'bottom')
 
 
 class Measures:
-    """Scenes, and labels: the objects in scenes of which most formats have a label.
+    """Scenes, and labels: the objects in scenes for which most formats have a label.
 
     Arrays named `scene_...` have an entry for each scene, all others one for each label.
     """
@@ -36,11 +36,11 @@ class Measures:
         chosen = np.flatnonzero(seen & (rows['dropped'] == 0))
         rows = {name: column[chosen] for name, column in rows.items()}
         self.count = len(chosen)
-        self.scene = all_scenes[chosen]  # the row of its scene in arrays named scene_...
+        self.scene = all_scenes[chosen]  # the row of each label's scene in arrays named scene_...
         self.object = rows['object'].astype(int)
         order = {number: index for index, number in enumerate(sorted(dataset.classes))}
         class_of = np.array([order[each.class_id] for each in dataset.objects], int)
-        self.class_of_object = class_of  # the row of its class, of each object of the dataset
+        self.class_of_object = class_of  # for each object of the dataset, the row of its class
         self.label_class = class_of[self.object] if self.count else np.zeros(0, int)
         self.split = self.scene_split[self.scene]
         self.box, self.box_kind = _boxes(rows, self.scene_size[self.scene])
@@ -56,7 +56,7 @@ class Measures:
         return self.box[:, 2:] - self.box[:, :2]
 
     def labels_by_scene(self):
-        """How many labels each scene has."""
+        """The number of labels in each scene."""
         return np.bincount(self.scene, minlength=len(self.scene_index))
 
     def counts(self, splits):
@@ -69,7 +69,7 @@ class Measures:
 
 
 def _of_scenes(dataset, table, column, scenes):
-    """What is known of recorded pictures, of the scenes of which it is known."""
+    """A measure of recorded pictures, for those of the scenes that have it."""
     if table not in dataset.manifest.tables():
         return np.zeros(0)
     found = dataset.manifest.columns(table)
@@ -81,22 +81,22 @@ def _is_known(column):
 
 
 def _known(column):
-    """None where no format asked for it, so that nothing was measured."""
+    """The column as numbers; None if no format asked for it, so that nothing was measured."""
     return column.astype(float) if len(column) and _is_known(column) else None
 
 
 def _boxes(rows, sizes):
-    """The tightest boxes that were measured, cut to the image that spans 0 to its width [px]."""
+    """The tightest kind of boxes measured, clipped to the image, which spans 0 to width [px]."""
     for kind in ('visible', 'silhouette', 'loose'):
         box = np.stack([rows[f'{kind}_{edge}'].astype(float) for edge in EDGES], axis=1)
         if len(box) and not np.any(np.isnan(box)):
             break
-    box = np.nan_to_num(box) + 0.5  # a pixel's centre has whole coordinates in the manifest
+    box = np.nan_to_num(box) + 0.5  # in the manifest, pixel centres have whole coordinates
     return np.clip(box, 0.0, np.tile(sizes, 2)), kind
 
 
 def _view_angles(rows, X_GC):
-    """From where each object is seen [deg]: azimuth 0 from its x axis, 90 from its y axis."""
+    """Where each object is seen from [deg]: azimuth 0 along its x axis, 90 along its y axis."""
     X_GO = poses.of_rows(rows)
     p_OC = np.einsum('nij,nj->ni', poses.inverse(X_GO)[:, :3, :3], X_GC[:, :3, 3] - X_GO[:, :3, 3])
     length = np.maximum(np.linalg.norm(p_OC, axis=1), 1e-12)

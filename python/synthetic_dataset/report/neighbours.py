@@ -1,17 +1,17 @@
-"""Scenes of different splits that look nearly the same, by the manifest's measures."""
+"""Finds scenes in different splits that look nearly the same, by the manifest's measures."""
 import numpy as np
 
-BOX_TOLERANCE = 0.01  # of a box's edges, as a share of the image's size
-POSITION_TOLERANCE = 0.02  # of the camera [m]
-ROTATION_TOLERANCE = np.radians(0.5)  # of the camera
-WINDOW = 500  # how many neighbours in the widest measure are compared with each scene
+BOX_TOLERANCE = 0.01  # for a box's edges, as a share of the image's size
+POSITION_TOLERANCE = 0.02  # for the camera [m]
+ROTATION_TOLERANCE = np.radians(0.5)  # for the camera
+WINDOW = 500  # how many neighbours in the order of the widest feature are compared with each scene
 
 
 class Neighbours:
-    """Pairs of scenes in which the camera and the box of each object that is seen hardly differ."""
+    """Pairs of scenes in which the camera and the boxes of all visible objects hardly differ."""
 
     def __init__(self, measures):
-        # Rows of scenes and how far they differ, as shares of the tolerances: the closest first.
+        # (difference as a share of the tolerances, rows of the two scenes), the closest pair first.
         self.pairs = []
         found = np.zeros(len(measures.scene_index), bool)
         for rows, features in _alike(measures):
@@ -24,7 +24,7 @@ class Neighbours:
 
 
 def _alike(measures):
-    """Yields groups of scenes of one camera with the same objects, and what may differ in them.
+    """Yields groups of scenes of one camera with the same visible objects, and their features.
 
     Features are divided by their tolerances.
     """
@@ -45,9 +45,9 @@ def _alike(measures):
 
 
 def _close(rows, features, splits):
-    """Yields pairs of different splits that differ by less than a tolerance in each feature.
+    """Yields pairs from different splits that differ by at most the tolerance in each feature.
 
-    In the order of the feature that varies most, they are near one another.
+    In the order of the feature that varies most, such scenes are near one another.
     """
     if len(rows) < 2 or len(set(splits[rows])) < 2:
         return

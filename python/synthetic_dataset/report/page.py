@@ -1,4 +1,4 @@
-"""Puts a page together from a dataset."""
+"""Assembles the page about a dataset."""
 import json
 import pathlib
 
@@ -17,11 +17,11 @@ from synthetic_dataset.report.neighbours import Neighbours
 from synthetic_dataset.report.stages import stages_in
 from synthetic_dataset.report.variety import Variety
 
-MOST_CAMERAS, MOST_ANGLES, SHOWN_PAIRS = 4, 6, 3  # that have a chart, that are shown
+MOST_CAMERAS, MOST_ANGLES, SHOWN_PAIRS = 4, 6, 3  # cameras and classes with a chart, pairs shown
 
 
 def size_text(count):
-    """A number of bytes for people."""
+    """A number of bytes in readable form."""
     for unit in ('B', 'kB', 'MB', 'GB', 'TB'):
         if count < 1000 or unit == 'TB':
             return f'{count:.3g} {unit}' if count < 1000 else f'{count:,.0f} {unit}'
@@ -30,9 +30,9 @@ def size_text(count):
 
 
 def page_of(dataset, log=None):
-    """The page as HTML: pictures, charts and style are in it.
+    """The page as HTML, including its pictures, charts and style.
 
-    @param log  the file that has what the run printed
+    @param log  a file with the output of the run
     """
     if len(dataset) == 0:
         raise DatasetError(f"'{dataset.folder}': the dataset has no scenes")
@@ -58,9 +58,9 @@ def page_of(dataset, log=None):
 
 
 def write(dataset, file, log=None):
-    """Writes the page. The file is there when it is whole, and is none of the dataset's.
+    """Writes the page. The file appears only when complete; it must not be one of the dataset's.
 
-    @throws DatasetError where it cannot be written
+    @throws DatasetError if it cannot be written
     """
     file = pathlib.Path(file)
     target = file.resolve()
@@ -84,7 +84,7 @@ def _facts(dataset, measures):
 
 
 def _warnings(dataset):
-    """The run's warnings, the most frequent first, with the first detail of each."""
+    """The run's warnings, the most frequent first, each with one of its details."""
     return dataset.manifest.rows(
         'SELECT kind, sum(count), max(detail), min(CASE WHEN scene >= 0 THEN scene END) '
         'FROM warning GROUP BY kind ORDER BY sum(count) DESC, kind')
@@ -158,7 +158,7 @@ def _cover_note(measures):
 
 
 def _share_chart(measures, shares, title, usual, usual_text, label):
-    """Of what most labels have in common, the rest alone: it would be too low to be seen."""
+    """A chart without the value that most labels have, which would dwarf all the others."""
     if shares is None:
         return []
     bins = np.linspace(0, 100, 41)
@@ -197,10 +197,10 @@ def _pairs(dataset, measures, neighbours):
 
 
 def _tables(dataset):
-    """What the manifest says of how the dataset was made."""
+    """The manifest's tables on how the dataset was made."""
     rows = dataset.manifest.rows
     credits = {}
-    if 'credit' in dataset.manifest.tables():  # of older versions there is none
+    if 'credit' in dataset.manifest.tables():  # manifests of older versions have none
         credits = {path: (author, license_text) for path, author, license_text in rows(
             'SELECT path, author, license FROM credit')}
     return {
@@ -220,7 +220,7 @@ def _tables(dataset):
 
 
 def _credits(dataset):
-    """Who made the files of the world and its models: a row for each author and licence."""
+    """The authors of the input files: a row for each author and licence."""
     if 'credit' not in dataset.manifest.tables():
         return []
     return dataset.manifest.rows(

@@ -1,4 +1,4 @@
-"""How long the stages of a run worked, by the line that it prints at its end."""
+"""The times of a run's stages, from the line that it prints at its end."""
 import re
 
 from synthetic_dataset.manifest import DatasetError
@@ -9,7 +9,7 @@ NAMES = ('set-up', 'drawing', 'labels', 'writing', 'files of the whole dataset')
 
 
 def stages_in(log):
-    """The stages of the last run in a file: names, seconds, and per cent of the longest."""
+    """The stages of the last run in a log file: names, seconds, per cent of the longest stage."""
     try:
         with open(log, encoding='utf-8', errors='replace') as stream:
             found = LINE.findall(stream.read())

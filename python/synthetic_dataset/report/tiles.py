@@ -1,4 +1,4 @@
-"""Pictures of scenes with their labels, for the page: an image, and what is drawn over it."""
+"""Pictures of scenes with their labels for the page: an image, and the overlay on it."""
 import numpy as np
 from PIL import Image
 
@@ -11,7 +11,7 @@ INSIDE, OUTLINE = 70, 230  # how opaque masks are, of 255
 
 
 def tile(dataset, measures, row, reason=''):
-    """What the template shows of a scene.
+    """The values of a scene for the template.
 
     @param row  of the scene in `measures`
     """
@@ -39,7 +39,7 @@ def _label(measures, scene, label):
     if measures.visible_pixels is not None:
         facts.append(f'{measures.visible_pixels[label]:,.0f} px')
     facts.append(f'{measures.distance[label]:.3g} m away')
-    # A name inside of the image: over the box, or in it where there is no room.
+    # Keeps the name inside the image: above the box, or in it if there is no room.
     size = scene.width / 36
     above = top > 1.2 * size
     at_right = left > 0.85 * scene.width
@@ -53,7 +53,7 @@ def _label(measures, scene, label):
 
 
 def _points(scene, index):
-    """Keypoints in the image, and whether each is visible; none of old datasets."""
+    """Keypoints in the image, and whether each is visible; empty for old datasets."""
     if scene.shapes is None:
         return []
     shape = scene.shapes[index]
@@ -69,7 +69,7 @@ def _jpeg(picture):
 
 
 def _masks(scene, measures, row):
-    """The visible masks in their classes' colours; nothing where no format has masks."""
+    """The visible masks in the colours of their classes; empty if the dataset has no masks."""
     try:
         instances = scene.instances
     except DatasetError:

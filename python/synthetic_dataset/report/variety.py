@@ -1,9 +1,9 @@
-"""How different that is which a network would otherwise learn by heart. The program `check` measures the same."""
-ONE_LOOK = 0.1  # the most detail of what is a plain ground: that has 3 %, one with things on it 25 %
+"""The variety without which a network learns a dataset by heart. The program `check` measures the same."""
+ONE_LOOK = 0.1  # up to this much detail a ground counts as plain: a plain one has 3 %, one with things on it 25 %
 
 
 class Variety:
-    """What else was tried does not order datasets as networks do that learnt from them: docs/report.md."""
+    """Other measures that were tried do not rank datasets as networks trained on them do: docs/report.md."""
 
     def __init__(self, dataset, brightness):
         self.detail = brightness.detail
@@ -11,13 +11,13 @@ class Variety:
 
     @property
     def is_plain(self):
-        """Whether there is one model on one plain ground."""
+        """Whether each class has one look, on a plain ground."""
         return (self.detail is not None and self.detail < ONE_LOOK
                 and all(count == 1 for count in self.looks.values()))
 
 
 def _looks(dataset):
-    """Models and their variants, by class."""
+    """The number of looks (models and their variants) of each class."""
     drawn, settings, looks = {}, dataset.settings, {}
     for name, value in dataset.manifest.rows("SELECT DISTINCT name, value FROM draw WHERE name LIKE 'objects/%'"):
         drawn.setdefault(name, set()).add(value)

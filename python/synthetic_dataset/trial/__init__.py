@@ -1,1 +1,1 @@
-"""Trains a small network on a dataset and tries it on photographs: docs/transfer.md"""
+"""Trains a small network on a dataset and tries it on photographs; see docs/transfer.md."""

@@ -1,21 +1,21 @@
-"""Boxes as [left, top, right, bottom], in shares of a picture's width and height."""
+"""Boxes as [left, top, right, bottom], as shares of a picture's width and height."""
 import numpy as np
 
 NONE = np.zeros((0, 5))  # rows of [class, left, top, right, bottom]
 
 
 def from_centre(values):
-    """Corners, of [x, y, width, height] with the centre first."""
+    """The corners of boxes given as [x, y, width, height], where x and y are the centre."""
     centre, half = np.asarray(values, float)[..., :2], np.asarray(values, float)[..., 2:4] / 2
     return np.concatenate((centre - half, centre + half), axis=-1)
 
 
 def row_of(words):
-    """[class, left, top, right, bottom] of a line in a file of labels for Ultralytics.
+    """[class, left, top, right, bottom] from a line of an Ultralytics label file.
 
-    A class and four numbers are a box; a class and more pairs of numbers are a polygon's corners, or those of a
-    turned box, whose box it is.
-    @throws ValueError where it is neither
+    A class and four numbers are a box; a class and more pairs of numbers are the corners of a polygon or of a
+    rotated box, for which the enclosing box is returned.
+    @throws ValueError if it is neither
     """
     numbers = [float(word) for word in words]
     if not np.isfinite(numbers).all() or numbers[0] != int(numbers[0]):

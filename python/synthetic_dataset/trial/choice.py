@@ -1,4 +1,4 @@
-"""Which photographs the page shows, of all that the network has looked at."""
+"""Chooses the photographs that the page shows."""
 import collections
 
 import numpy as np
@@ -6,29 +6,29 @@ import numpy as np
 from synthetic_dataset.trial.precision import best_threshold, matches
 
 MOST_SHOWN = 12  # in a section
-DOUBT = 0.5  # of the threshold: from it on a score is not near it
-USUAL_THRESHOLD = 0.25  # from which score on something counts as found, where no label says what is best
+DOUBT = 0.5  # as a share of the threshold: scores at least this far from it are not near it
+USUAL_THRESHOLD = 0.25  # the score from which a detection counts, if no labels tell the best one
 
-# A photograph with what is found in it, each the row of `truth` that it is or -1; both None without labels.
+# A photograph with its detections; `match` has the row of `truth` for each, or -1. Without labels, both are None.
 Result = collections.namedtuple('Result', 'file found truth match')
 Section = collections.namedtuple('Section', 'title note results')
 
 
 def results_of(files, founds, truths):
-    """Without photographs that cannot be read, of which nothing is known."""
+    """The results, without those of photographs that cannot be read."""
     return [Result(file, found, truth, None if truth is None else matches(found, truth))
             for file, found, truth in zip(files, founds, truths) if found is not None]
 
 
 def threshold_of(results):
-    """From which score on something counts as found."""
+    """The score from which a detection counts."""
     if not results or results[0].truth is None:
         return USUAL_THRESHOLD
     return best_threshold([each.found for each in results], [each.truth for each in results]) or USUAL_THRESHOLD
 
 
 def sections_of(results, threshold):
-    """The most confident and the most doubtful first; a photograph is in one section alone."""
+    """The sections, the most confident and the most doubtful first; a photograph is in only one section."""
     keys = Keys(threshold)
     chosen = [('Most confident', 'The surest find of each comes first.', keys.confidence),
               ('Most doubtful', f'Something is found with a score near {threshold:.2f}, from which on it counts.', keys.doubt)]
@@ -49,7 +49,7 @@ def sections_of(results, threshold):
 
 
 class Keys:
-    """How much a photograph belongs into a section; None: not at all."""
+    """How strongly a photograph belongs to a section; None: not at all."""
 
     def __init__(self, threshold):
         self._threshold = threshold

@@ -1,4 +1,4 @@
-"""The network: a small detector of Ultralytics, trained for a given time. Needs torch and ultralytics."""
+"""The network: a small Ultralytics detector, trained for a given time. Needs torch and ultralytics."""
 import collections
 import concurrent.futures
 import copy
@@ -17,19 +17,19 @@ from ultralytics.nn.tasks import DetectionModel
 from synthetic_dataset.trial import samples
 from synthetic_dataset.trial.precision import Found
 
-FROM_NOTHING = 'yolov8n.yaml'  # the description of a network that Ultralytics brings, without weights
-WARM_UP = 40  # steps, in which they grow
-LAST_RATE = 0.02  # at the end, as a share of the rate
-OF_FOUR_UNTIL = 0.85  # of the time: from then on, pictures are shown as they are
-FROZEN = 5  # layers that stay as in the weights where there is no GPU, which halves the time of a step
-AVERAGED = 0.995  # how much of the running mean stays in each step, after the first ones
+FROM_NOTHING = 'yolov8n.yaml'  # a network description that comes with Ultralytics, without weights
+WARM_UP = 40  # steps in which the learning rate rises
+LAST_RATE = 0.02  # final learning rate, as a share of the full one
+OF_FOUR_UNTIL = 0.85  # share of the time after which samples are no longer mosaics of four pictures
+FROZEN = 5  # layers that keep the given weights if there is no GPU, which halves the time of a step
+AVERAGED = 0.995  # share of the running mean that is kept in each step, after the first ones
 LEAST_SCORE, MOST_FOUND = 0.001, 300
-SAME = 0.6  # overlap from which on two boxes are one
-PREPARED = 3  # batches that are ready before they are needed
+SAME = 0.6  # overlap above which two boxes count as one
+PREPARED = 3  # batches that are prepared in advance
 NO_NETWORK = 'holds no network of Ultralytics (a file such as yolov8n.pt)'
 
 Options = collections.namedtuple('Options', 'size batch rate')
-# A CPU would not get once through what a GPU learns from in some minutes.
+# With a GPU's options, a CPU would not get through the pictures once in the few minutes of a training.
 ON_GPU, ON_CPU = Options(416, 48, 0.002), Options(256, 12, 0.0015)
 
 
@@ -38,10 +38,10 @@ class WeightsError(Exception):
 
 
 class Network:
-    """A detector of some classes."""
+    """A detector for some classes."""
 
     def __init__(self, class_numbers, weights=None):
-        """@param weights  a file of Ultralytics, with a network to begin with
+        """@param weights  an Ultralytics file with a network to start from
         @throws WeightsError"""
         torch.manual_seed(0)
         earlier = _loaded(weights) if weights else None
@@ -59,19 +59,19 @@ class Network:
 
     @property
     def size(self):
-        """The longer side of what it sees of a picture [px]."""
+        """The longer side to which it scales a picture [px]."""
         return self._options.size
 
     @property
     def device(self):
-        """What it is trained on, in words."""
+        """The hardware on which it is trained, in words."""
         if self._is_on_gpu:
             return torch.cuda.get_device_name()
         count = torch.get_num_threads()
         return f"{count} thread{'s' if count > 1 else ''} of the CPU"
 
     def train(self, pictures, seconds, is_stopped, progress):
-        """Trains for some seconds, or until it is stopped. It is then the running mean of its states.
+        """Trains for some seconds, or until it is stopped. Its weights are then their running mean over the steps.
 
         @param progress  is called after each step with its number, the seconds so far and the loss
         @return  the number of steps
@@ -117,7 +117,7 @@ class Network:
             {'params': [each for each in learnt if each.ndim <= 1], 'weight_decay': 0.0}])
 
     def find(self, files, progress=lambda done: None):
-        """Yields for each file what is found in it, in shares of the picture, or None if it cannot be read."""
+        """Yields the detections in each file, as shares of the picture, or None if it cannot be read."""
         self._model.eval()
         for start in range(0, len(files), 4 * self._options.batch):
             some = files[start:start + 4 * self._options.batch]
@@ -132,7 +132,7 @@ class Network:
     def _found(self, squares):
         out = self._model(torch.from_numpy(squares).to(self._device).permute(0, 3, 1, 2).float() / 255)
         out = (out[0] if isinstance(out, (tuple, list)) else out).float()
-        if getattr(self._model.model[-1], 'end2end', False):  # corners, score and class of each
+        if getattr(self._model.model[-1], 'end2end', False):  # corners, score and class of each detection
             corners, scores, classes = out[..., :4], out[..., 4], out[..., 5].long()
         else:  # centres and sizes, and a score for each class
             corners = torchvision.ops.box_convert(out[:, :4].transpose(1, 2), 'cxcywh', 'xyxy')
@@ -182,11 +182,11 @@ class Batches:
 def _loaded(weights):
     try:
         model = YOLO(weights).model
-    except Exception as error:  # whatever is in the file: pickles may raise anything
+    except Exception as error:  # the file may contain anything: unpickling may raise anything
         raise WeightsError(f"'{weights}': {NO_NETWORK}: {error}") from error
-    if not isinstance(model, torch.nn.Module):  # of other endings, it is a name
+    if not isinstance(model, torch.nn.Module):  # for other file extensions, it is a name
         raise WeightsError(f"'{weights}': {NO_NETWORK}")
-    if type(model) is not DetectionModel:  # those for masks and poses derive from it
+    if type(model) is not DetectionModel:  # models for masks and poses derive from it
         raise WeightsError(f"'{weights}': its network is a {type(model).__name__}; it should be one that finds boxes, such as "
                            'yolov8n.pt')
     return model
@@ -198,7 +198,7 @@ def _rate_at(share, step):
 
 
 def _averaged(mean, now, steps):
-    """Of the first steps, of which later ones know better, less is kept."""
+    """The running mean, which keeps less of the first steps, as they are worse than later ones."""
     return mean + (now - mean) * (1 - min(AVERAGED, (1 + steps) / (10 + steps)))
 
 
@@ -210,7 +210,7 @@ def _opened(file, size):
 
 
 def _in_shares(found, picture, size):
-    """From pixels of the square to shares of the picture in its middle, without what is around it."""
+    """Converts boxes from pixels of the square to shares of the picture in its middle."""
     around = np.array([(size - side) // 2 for side in picture.size] * 2)
     corners = np.clip((found.boxes - around) / np.array(picture.size * 2), 0, 1)
     return found._replace(boxes=corners)

@@ -9,10 +9,10 @@ from synthetic_dataset import pages
 from synthetic_dataset.manifest import DatasetError
 from synthetic_dataset.trial import samples
 
-WIDTH, HEIGHT = 480, 360  # of a frame for a picture in the page [px]
-SHOWN = 0.5  # of the threshold: from which score on a box is drawn
+WIDTH, HEIGHT = 480, 360  # of the frame of a picture in the page [px]
+SHOWN = 0.5  # as a share of the threshold: the score from which a box is drawn
 
-# What the page says above the pictures: (value, what it is), and sentences.
+# The part above the pictures: `facts` are (value, what it is), `findings` sentences.
 Summary = collections.namedtuple('Summary', 'name facts findings')
 
 
@@ -26,7 +26,7 @@ def page_of(summary, sections, threshold, class_names):
 
 
 def check_place(file, dataset):
-    """@throws DatasetError where a page would be among the dataset's files, or cannot be"""
+    """@throws DatasetError if the page would be in the dataset's folder, or cannot be written"""
     target = pathlib.Path(file).resolve()
     if dataset.folder == target.parent or dataset.folder in target.parents:
         raise DatasetError(f"'{file}': is in the dataset's folder, where `verify` knows all files; choose another")
@@ -39,7 +39,7 @@ def check_place(file, dataset):
 def _tile(result, threshold, class_names):
     picture = samples.opened(result.file, WIDTH)
     boxes = []
-    for at in np.argsort(result.found.scores, kind='stable'):  # the surest is drawn last
+    for at in np.argsort(result.found.scores, kind='stable'):  # the most confident is drawn last
         score = float(result.found.scores[at])
         if score < SHOWN * threshold:
             continue
@@ -54,7 +54,7 @@ def _tile(result, threshold, class_names):
 
 def _box(corners, picture, kind, text, title):
     left, top, right, bottom = (float(share * side) for share, side in zip(corners, picture.size * 2))
-    # Pictures are shown in frames of one size.
+    # All pictures are shown in frames of the same size.
     size = (12 if kind.endswith('faint') else 15) * max(picture.width / WIDTH, picture.height / HEIGHT)
     return {'x': left, 'y': top, 'width': right - left, 'height': bottom - top, 'kind': kind, 'text': text,
             'title': title, 'text_size': size, 'text_x': min(left + 2, picture.width - 2.4 * size),

@@ -1,4 +1,4 @@
-"""Photographs in a folder, and what is in them where somebody has labelled them."""
+"""Photographs in a folder, with their labels if there are any."""
 import collections
 import json
 import os
@@ -21,9 +21,9 @@ def read(folder, class_names):
     """Photographs of a folder and its subfolders.
 
     Labels are those of `index.json`, of text files for Ultralytics beside the photographs, or in `labels/` where they
-    are in `images/`. If there is any, a photograph without one shows nothing, as Ultralytics takes it.
-    @param class_names  by number, of the dataset
-    @throws DatasetError where there is no photograph, or a label cannot be understood
+    are in `images/`. If there are any labels, a photograph without a file shows nothing, as in Ultralytics.
+    @param class_names  of the dataset, by number
+    @throws DatasetError if there are no photographs, or a label cannot be understood
     """
     if not folder.is_dir():
         raise DatasetError(f"'{folder}': no such folder")
@@ -41,7 +41,7 @@ def read(folder, class_names):
 
 
 def _of_index(folder, class_names):
-    """Its boxes have no classes: of several, they are of any."""
+    """Reads index.json. Its boxes have no class, so they count as any class if there are several."""
     number = next(iter(class_names)) if len(class_names) == 1 else 0
     found = []
     try:
@@ -81,10 +81,10 @@ def _rows_of(file):
 
 
 def _numbering(folder, class_names, rows):
-    """From numbers in the labels to those of the dataset, or None where they are the same.
+    """Maps class numbers of the labels to those of the dataset; None if they are the same.
 
-    `classes.txt` names the classes of labels (LabelImg, Label Studio). Where there is one class on both sides, its
-    number does not matter.
+    `classes.txt` names the classes of labels (LabelImg, Label Studio). If both sides have only one class, its number
+    does not matter.
     """
     for place in (folder, folder / 'labels', folder.parent if folder.name == 'images' else folder):
         if (place / 'classes.txt').is_file():
@@ -98,7 +98,7 @@ def _numbering(folder, class_names, rows):
 
 
 def _renumbered(rows, renumber, file, class_names):
-    """Without what the dataset has no class of, if the labels name their classes."""
+    """The rows with the dataset's class numbers; drops classes that the dataset lacks, if the labels name theirs."""
     if renumber is not None:
         kept = [[renumber[int(row[0])], *row[1:]] for row in rows
                 if renumber.get(int(row[0])) is not None]

@@ -1,4 +1,4 @@
-"""A dataset's pictures with their boxes, as a format for detectors has them."""
+"""A dataset's pictures with their boxes, from a format for detectors."""
 import collections
 import json
 import os
@@ -10,16 +10,16 @@ from synthetic_dataset.pictures import is_image_name, kind_of
 from synthetic_dataset.trial import boxes
 
 FORMATS = ('UltralyticsYolo', 'Coco')
-KEPT_BACK = 20  # one picture of so many tests the network, where the dataset has no split `val`
+KEPT_BACK = 20  # one in so many pictures is held out for testing, if the dataset has no split `val`
 MOST_KEPT_BACK = 200
 
 Picture = collections.namedtuple('Picture', 'file truth split')
 
 
 def read(dataset):
-    """All pictures of a dataset's scenes, in their order.
+    """All pictures of a dataset, in the order of its scenes.
 
-    @throws DatasetError where it has no format for detectors, no pictures or no labels
+    @throws DatasetError if it has no format for detectors, no pictures or no labels
     """
     writer = _writer(dataset)
     files = dataset.manifest.rows(
@@ -43,7 +43,7 @@ def read(dataset):
 
 
 def divided(pictures):
-    """(those to learn from, those to test with), which are of the same kind. A split `test` is for neither."""
+    """(pictures to train on, pictures to test on), which are of the same kind. Neither has those of the split `test`."""
     learnt = [each for each in pictures if each.split == 'train']
     tested = [each for each in pictures if each.split == 'val']
     if not learnt or not tested:
@@ -66,7 +66,7 @@ def _writer(dataset):
 
 
 def _of_yolo(writer, task, files):
-    """Of files of labels beside `images`; of keypoints, the boxes before them."""
+    """Yields the boxes of each picture from its label file; with keypoints, the boxes before them."""
     for file in files:
         path = os.path.relpath(file, os.path.join(writer.folder, 'images'))
         label = os.path.join(writer.folder, 'labels', os.path.splitext(path)[0] + '.txt')
@@ -87,7 +87,7 @@ def _text(file):
 
 
 def _of_coco(writer, name, files):
-    """Of the files of annotations, whose categories count from 1."""
+    """Yields the boxes of each picture from the annotation files, whose categories count from 1."""
     found = {}
     for split in sorted({_split_of(writer, file) for file in files}):
         content = json.loads(_text(os.path.join(writer.folder, 'annotations', f"{name}_{split or 'train'}.json")))
@@ -104,5 +104,5 @@ def _of_coco(writer, name, files):
 
 
 def _split_of(writer, file):
-    """Of a picture of COCO, the folder in `images`; empty without splits."""
+    """The split of a COCO picture, which is its folder in `images`; empty without splits."""
     return os.path.dirname(os.path.relpath(file, os.path.join(writer.folder, 'images')))

@@ -1,20 +1,20 @@
-"""Average precision of what a network finds, as COCO defines it, at one overlap."""
+"""Average precision of a network's detections, as COCO defines it, at one overlap."""
 import collections
 
 import numpy as np
 
 from synthetic_dataset.trial.boxes import overlaps
 
-LEAST_OVERLAP = 0.5  # intersection over union of what is found and what is there, of AP50
+LEAST_OVERLAP = 0.5  # intersection over union of a detection and its object, for AP50
 
-# What a network finds in one picture, most confident first: rows of [left, top, right, bottom], a score and a class each.
+# A network's detections in one picture, most confident first: rows of [left, top, right, bottom], scores and classes.
 Found = collections.namedtuple('Found', 'boxes scores classes')
 
 
 def matches(found, truth):
-    """Of each that was found the row of `truth` that it is, or -1.
+    """For each detection, the row of `truth` that it matches, or -1.
 
-    The most confident choose first, each the one that it overlaps most of those that are left.
+    In order of confidence, each takes the remaining object of its class that it overlaps most.
     @param truth  rows of [class, left, top, right, bottom]
     """
     overlap = overlaps(found.boxes, truth[:, 1:])
@@ -31,7 +31,7 @@ def matches(found, truth):
 def average_precision(scores, is_right, count):
     """The mean of the best precisions at recalls of 0, 0.01, ..., 1.
 
-    @param count  how many there are to be found, more than none
+    @param count  the number of objects to be found, at least 1
     """
     order = np.argsort(-np.asarray(scores), kind='stable')
     right = np.cumsum(np.asarray(is_right, bool)[order])
@@ -42,7 +42,7 @@ def average_precision(scores, is_right, count):
 
 
 def mean_average_precision(founds, truths):
-    """The mean of all classes of which there is one; None where there is nothing to be found."""
+    """The mean over all classes that occur in `truths`; None if there are no objects."""
     classes = sorted({int(number) for truth in truths for number in truth[:, 0]})
     values = []
     for number in classes:
@@ -57,7 +57,7 @@ def mean_average_precision(founds, truths):
 
 
 def best_threshold(founds, truths):
-    """The score from which on precision and recall are best together (F1); None where nothing right is found."""
+    """The score threshold with the best F1 of precision and recall; None if no detection is right."""
     scores = np.concatenate([found.scores for found in founds])
     right = np.concatenate([matches(found, truth) >= 0 for found, truth in zip(founds, truths)])
     if not right.any():

@@ -1,33 +1,33 @@
-"""What a network is shown while it learns: pictures that are scaled, moved, mirrored and put together."""
+"""The samples for training: pictures that are scaled, shifted, mirrored and combined."""
 import functools
 
 import numpy as np
 from PIL import Image, ImageOps
 
-GREY = 114  # around pictures, as Ultralytics pads them
-SCALES = (0.5, 1.5)  # of a picture alone
-SCALES_OF_FOUR = (0.3, 1.0)  # of four pictures that meet in a point
-SHARE_OF_FOUR = 0.6  # how many samples are of four pictures
-LEAST_SIDE = 3.0  # [px] of a box, and
-LEAST_SEEN = 0.2  # the least share of its area that is in the picture, to count as one
-HUE, SATURATION, BRIGHTNESS = 0.015, 0.6, 0.4  # the most that colours change, as shares
-CACHE = 600e6  # [byte] of pictures that are kept in memory
+GREY = 114  # around pictures, as in Ultralytics
+SCALES = (0.5, 1.5)  # of a single picture
+SCALES_OF_FOUR = (0.3, 1.0)  # of the four pictures of a mosaic, which meet in a point
+SHARE_OF_FOUR = 0.6  # share of samples that are mosaics of four pictures
+LEAST_SIDE = 3.0  # [px] of a box that counts, and
+LEAST_SEEN = 0.2  # the least share of its area that has to be visible
+HUE, SATURATION, BRIGHTNESS = 0.015, 0.6, 0.4  # the largest changes of colours, as shares
+CACHE = 600e6  # [byte] of pictures kept in memory
 
 
 def opened(file, size):
     """A picture, upright, whose longer side is `size` pixels.
 
-    @throws OSError where it cannot be read
+    @throws OSError if it cannot be read
     """
     with Image.open(file) as picture:
-        picture.draft('RGB', (2 * size, 2 * size))  # JPEG alone: decoded to a fraction of its size, faster
+        picture.draft('RGB', (2 * size, 2 * size))  # only for JPEG: faster decoding at a reduced size
         picture = ImageOps.exif_transpose(picture).convert('RGB')
     share = size / max(picture.size)
     return picture.resize([max(1, round(side * share)) for side in picture.size], Image.BILINEAR)
 
 
 def letterboxed(picture, size):
-    """(height x width x 3, left, top): a picture in the middle of a square."""
+    """(pixels, left, top): a picture in the middle of a square, and its position there."""
     left, top = ((size - side) // 2 for side in picture.size)
     canvas = Image.new('RGB', (size, size), (GREY,) * 3)
     canvas.paste(picture, (left, top))
@@ -35,7 +35,7 @@ def letterboxed(picture, size):
 
 
 class Samples:
-    """Sample number n, which follows from n alone: (pixels, rows of [class, left, top, right, bottom] [px])."""
+    """Sample n depends on n alone: (pixels, rows of [class, left, top, right, bottom] [px])."""
 
     def __init__(self, pictures, size, seed=0):
         self._pictures, self._size, self._seed = pictures, size, seed
@@ -53,7 +53,7 @@ class Samples:
 
     def _one(self, canvas, random):
         picture, truth = self._drawn(random, SCALES)
-        # Anywhere in the square, or the square anywhere in it.
+        # Places the picture anywhere in the square or, if it is larger, the square anywhere in the picture.
         left, top = (random.uniform(min(0, self._size - side), max(0, self._size - side)) for side in picture.size)
         return [pasted(canvas, picture, truth, round(left), round(top))]
 
@@ -72,7 +72,7 @@ class Samples:
         return rows
 
     def _drawn(self, random, scales):
-        """A picture with its boxes as shares of it, in some size, mirrored or not."""
+        """A random picture at a random size, perhaps mirrored, with its boxes as shares of it."""
         at = random.randint(len(self._pictures))
         picture, truth = self._opened(at), np.array(self._pictures[at].truth)
         scale = random.uniform(*scales)
@@ -84,7 +84,7 @@ class Samples:
 
 
 def pasted(canvas, picture, truth, left, top, window=None):
-    """Puts a picture onto another, and gives the boxes [px] of what is then seen in a window of it."""
+    """Pastes a picture onto the canvas, and returns the boxes [px] that are visible enough in a window of it."""
     canvas.paste(picture, (left, top))
     whole = truth.copy()
     whole[:, 1:] = truth[:, 1:] * (picture.size * 2) + np.array([left, top, left, top])
@@ -97,7 +97,7 @@ def pasted(canvas, picture, truth, left, top, window=None):
 
 
 def recoloured(picture, random):
-    """Another hue, saturation and brightness, of all pixels alike."""
+    """Changes hue, saturation and brightness of all pixels by the same random amounts."""
     hue, saturation, brightness = random.uniform(-1, 1, 3) * (HUE, SATURATION, BRIGHTNESS)
     values = np.array(picture.convert('HSV'), float)
     values[..., 0] = (values[..., 0] + 255 * hue) % 256

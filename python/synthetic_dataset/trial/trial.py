@@ -1,4 +1,4 @@
-"""Trains a network on a dataset, looks at photographs with it, and makes a page of what it finds."""
+"""Trains a network on a dataset, tries it on photographs, and makes a page of its detections."""
 import pathlib
 import sys
 import time
@@ -7,11 +7,11 @@ from synthetic_dataset import Dataset, DatasetError, pages
 from synthetic_dataset.trial import choice, page, photographs, pictures
 from synthetic_dataset.trial.precision import mean_average_precision
 
-SECONDS_OF_A_LINE = 30.0  # of progress, where there is no terminal
+SECONDS_OF_A_LINE = 30.0  # between two lines of progress, without a terminal
 
 
 class Progress:
-    """How far it is: one line of a terminal, or a line now and then."""
+    """Shows progress: one changing line in a terminal, else a line now and then."""
 
     def __init__(self, out=sys.stderr, clock=time.monotonic):
         self._out, self._clock = out, clock
@@ -29,7 +29,7 @@ class Progress:
             self._unsaid = text
 
     def end(self):
-        """Says the last, and begins a line."""
+        """Prints the last text, and starts a new line."""
         if self._unsaid is not None:
             self._say(self._unsaid)
         self._said_at = None
@@ -40,9 +40,9 @@ class Progress:
 
 
 def run(arguments, make_network, is_stopped, progress):
-    """What the program does with its arguments, whose names they have.
+    """Runs the program; `arguments` has the names of its command-line arguments.
 
-    @param make_network  of the numbers of classes and a file of weights; as `Network` is
+    @param make_network  called as `Network`, with the classes' numbers and a weights file
     @throws DatasetError
     """
     dataset = Dataset(arguments.dataset)
@@ -93,7 +93,7 @@ def _clock(seconds):
 
 
 def _looked(network, some, real, progress, what):
-    """(what is found, what is there) of pictures; a class each where only one is known."""
+    """(detections, truths) of pictures; all have class 0 if the labels have no classes."""
     found = list(network.find([each.file for each in some],
                               lambda done: progress(f'looking at {what}: {done:,} of {len(some):,}')))
     progress.end()
@@ -104,7 +104,7 @@ def _looked(network, some, real, progress, what):
 
 
 def _score(founds, truths):
-    """AP50 of the pictures that could be read; None where they show nothing that is labelled."""
+    """AP50 over the pictures that could be read; None if they have no labels."""
     read = [(found, truth) for found, truth in zip(founds, truths) if found is not None]
     return mean_average_precision(*zip(*read)) if read else None
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;  // [m]
 
-/// Before the PNG file (compressed_depth_image_transport/compression_common.h): an enumeration of 4
-/// bytes, and two numbers of which inverse depths were quantised.
+/// The header before the PNG file (compressed_depth_image_transport/compression_common.h): an enum
+/// of 4 bytes, and the two parameters by which inverse depths were quantised.
 constexpr std::size_t kHeaderSize = 12;
 
 struct DepthQuantisation {
@@ -25,10 +25,10 @@ bool isMillimetres(const std::string& encoding) {
   return encoding == "16UC1" || encoding == "mono16";
 }
 
-/// The encoding of the pixels before they were compressed: what the format begins with.
+/// The encoding of the pixels before compression, with which the format begins.
 std::string encodingOf(const std::string& format) { return format.substr(0, format.find(';')); }
 
-/// What was not measured is 0, instead of NaN, infinite or negative.
+/// Sets unmeasured pixels, which are NaN, infinite or negative, to 0.
 cv::Mat withoutGaps(cv::Mat_<float> depth) {
   for (float& each : depth) {
     if (!(each > 0.0F) || !std::isfinite(each)) each = 0.0F;
@@ -42,7 +42,7 @@ cv::Mat ofMillimetres(const cv::Mat& numbers) {
   return depth;
 }
 
-/// Rows of pixels with this many bytes each, in this machine's byte order.
+/// The pixels without gaps between rows, in this machine's byte order.
 cv::Mat rowsOf(const RawPicture& picture, int type) {
   cv::Mat pixels(static_cast<int>(picture.height), static_cast<int>(picture.width), type);
   const std::size_t size = pixels.elemSize();

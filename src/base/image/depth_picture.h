@@ -12,21 +12,21 @@
 
 namespace synthetic_dataset::base {
 
-/// Why a picture cannot be read as depth; nothing if it can (REP 118): 32FC1 in metres, or
-/// 16UC1 (mono16) in millimetres.
+/// Why a picture cannot be read as depth (REP 118): it should be 32FC1 in metres, or 16UC1 (mono16)
+/// in millimetres. nullopt if it can.
 [[nodiscard]] std::optional<std::string> depthProblem(const RawPicture& picture);
 
-/// CV_32FC1: z of what is seen [m]; 0 where nothing was measured.
+/// The picture as CV_32FC1: z of the visible surface [m]; 0 where nothing was measured.
 /// @throws Error with depthProblem()
 [[nodiscard]] cv::Mat depthOf(const RawPicture& picture);
 
-/// The size of a picture as compressed_depth_image_transport writes it, without decoding it.
+/// The size of a picture written by compressed_depth_image_transport, without decoding it.
 /// @param format  of the message: "16UC1; compressedDepth png"
 /// @throws Error saying why it cannot be read
 [[nodiscard]] PictureSize checkCompressedDepth(const std::vector<std::uint8_t>& file,
                                                const std::string& format);
 
-/// depthOf such a picture.
+/// depthOf() for a picture written by compressed_depth_image_transport.
 /// @throws Error as checkCompressedDepth
 [[nodiscard]] cv::Mat depthOfCompressed(const std::vector<std::uint8_t>& file,
                                         const std::string& format);

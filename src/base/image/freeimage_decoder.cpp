@@ -16,8 +16,8 @@ struct Closer {
 using Memory = std::unique_ptr<FIMEMORY, Closer>;
 using Bitmap = std::unique_ptr<FIBITMAP, Closer>;
 
-/// The formats that are promised. Others are left alone: FreeImage's reader of icons, for one, asks
-/// for as much memory as a broken file asks for.
+/// Whether a format is one of those documented as supported. Others are not read: FreeImage's icon
+/// reader, for example, allocates as much memory as a broken file asks for.
 bool isRead(FREE_IMAGE_FORMAT format) {
   switch (format) {
     case FIF_PNG:
@@ -38,7 +38,7 @@ bool isRead(FREE_IMAGE_FORMAT format) {
 }
 
 Bitmap load(const std::vector<std::uint8_t>& file, const std::string& name) {
-  // FreeImage only reads from it.
+  // const_cast: FreeImage only reads from it.
   const Memory memory(
       FreeImage_OpenMemory(const_cast<BYTE*>(file.data()), static_cast<DWORD>(file.size())));
   FREE_IMAGE_FORMAT format = FreeImage_GetFileTypeFromMemory(memory.get(), 0);
@@ -47,7 +47,7 @@ Bitmap load(const std::vector<std::uint8_t>& file, const std::string& name) {
   return Bitmap(FreeImage_LoadFromMemory(format, memory.get(), 0));
 }
 
-/// Blue, green, red, alpha of 8 bits; grey of 16 bits has no direct way there.
+/// Converts to blue, green, red, alpha of 8 bits; 16-bit grey has no direct conversion.
 Bitmap toBgra(Bitmap bitmap) {
   if (bitmap && FreeImage_GetImageType(bitmap.get()) == FIT_UINT16) {
     bitmap.reset(FreeImage_ConvertTo8Bits(bitmap.get()));
@@ -60,7 +60,7 @@ bool holdsFloats(const Bitmap& bitmap) {
   return type == FIT_FLOAT || type == FIT_RGBF || type == FIT_RGBAF;
 }
 
-/// @param type  what a pixel is, as OpenCV has it
+/// @param type  OpenCV's type of a pixel
 cv::Mat pixelsOf(const Bitmap& bitmap, int type) {
   if (!bitmap || FreeImage_HasPixels(bitmap.get()) == FALSE) return {};
   cv::Mat pixels(static_cast<int>(FreeImage_GetHeight(bitmap.get())),

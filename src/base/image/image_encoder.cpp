@@ -61,8 +61,8 @@ std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
   std::string extension = ".jpg";
   std::vector<int> settings = {cv::IMWRITE_JPEG_QUALITY, quality.jpeg_quality};
   if (format == ImageFormat::kTiff) {
-    // libtiff's COMPRESSION_ADOBE_DEFLATE, which all readers have. OpenCV leaves floating point
-    // numbers as they are, whatever the option says.
+    // libtiff's COMPRESSION_ADOBE_DEFLATE, which all readers support. OpenCV does not compress
+    // floating-point numbers, whatever the option says.
     constexpr int kAdobeDeflate = 8;
     extension = ".tiff";
     settings = {cv::IMWRITE_TIFF_COMPRESSION, kAdobeDeflate};

@@ -17,16 +17,16 @@ struct ImageQuality {
   int jpeg_quality = 95;    ///< 1 .. 100
 };
 
-/// The format that a file name's extension means, if any.
+/// The format of a file name's extension, if any.
 [[nodiscard]] std::optional<ImageFormat> imageFormat(const std::string& path);
 
-/// Why an image cannot be written to a file of this name; nothing when it can.
+/// Why an image cannot be written to a file of this name; nullopt if it can.
 [[nodiscard]] std::optional<std::string> imageProblem(const std::string& path,
                                                       const cv::Mat& image);
 [[nodiscard]] std::optional<std::string> imageProblem(const std::string& path, const Mask& mask);
 
-/// The same bytes for the same pixels.
-/// @throws Error when the image cannot be encoded
+/// Encodes an image, with the same bytes for the same pixels.
+/// @throws Error if the image cannot be encoded
 [[nodiscard]] std::vector<uchar> encodeImage(const cv::Mat& image, ImageFormat format,
                                              const ImageQuality& quality);
 

@@ -18,9 +18,9 @@ namespace synthetic_dataset::base {
 namespace {
 
 #ifdef __x86_64__
-/// ISA-L leaves something in the upper halves of wide registers, and what a processor does with the
-/// lower ones alone takes it twice as long from then on (Intel, "64 and IA-32 Architectures
-/// Optimization Reference Manual", mixing AVX code with SSE code).
+/// ISA-L leaves data in the upper halves of the wide registers, after which instructions that use
+/// only the lower halves take twice as long (Intel, "64 and IA-32 Architectures Optimization
+/// Reference Manual", mixing AVX code with SSE code).
 __attribute__((target("avx"))) void clearUpperHalves() { _mm256_zeroupper(); }
 
 void leaveIsal() {
@@ -30,7 +30,7 @@ void leaveIsal() {
 void leaveIsal() {}
 #endif
 
-/// Hands ISA-L its next bytes.
+/// Passes ISA-L its next bytes.
 void deflateNext(isal_zstream& stream, std::size_t count, bool is_end) {
   stream.avail_in = static_cast<std::uint32_t>(count);
   stream.flush = is_end ? NO_FLUSH : SYNC_FLUSH;
@@ -46,16 +46,16 @@ void deflateNext(isal_zstream& stream, std::size_t count, bool is_end) {
 
 std::vector<uchar> isalDeflated(const cv::Mat& bytes) {
   constexpr std::uint32_t kLevel = 1;
-  // RFC 1950: deflate with a window of 32 kB, at the fastest. ISA-L 2.31 says another speed than
-  // 2.30, so the header is ours.
+  // RFC 1950: deflate with a window of 32 kB, fastest level. We write the header ourselves, as
+  // ISA-L 2.31 states another level than 2.30.
   constexpr std::array<uchar, 2> kHeader = {0x78, 0x01};
-  // ISA-L 2.30 takes the third byte's place in its table from the address of the stream
-  // (igzip_icf_body_h1_gr_bt.asm, .write_first_byte), so that equal bytes would now and then become
-  // different ones. They are compressed another way there.
+  // ISA-L 2.30 derives the third byte's place in its table from the address of the stream
+  // (igzip_icf_body_h1_gr_bt.asm, .write_first_byte), so that equal input would now and then give
+  // different output. The first bytes are flushed separately, which takes another code path.
   constexpr std::size_t kFirst = 16;
   std::vector<uchar> scratch(ISAL_DEF_LVL1_DEFAULT);
-  // What cannot be compressed is stored in blocks, with a few bytes to each.
-  // Not filled with zeros, as a vector would be.
+  // Incompressible data is stored in blocks, each with a few bytes of overhead.
+  // A cv::Mat is not filled with zeros, as a vector would be.
   cv::Mat result(1, static_cast<int>(bytes.total() + bytes.total() / 8 + 1024), CV_8UC1);
   isal_zstream stream;
   isal_deflate_init(&stream);

@@ -6,8 +6,8 @@
 
 namespace synthetic_dataset::base {
 
-/// A zlib stream by ISA-L: in a quarter of libdeflate's time, a tenth larger.
-/// @throws Error when ISA-L refuses it
+/// Compresses to a zlib stream with ISA-L: in a quarter of libdeflate's time, a tenth larger.
+/// @throws Error if ISA-L fails
 [[nodiscard]] std::vector<uchar> isalDeflated(const cv::Mat& bytes);
 
 }  // namespace synthetic_dataset::base

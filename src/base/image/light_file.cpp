@@ -22,7 +22,7 @@ struct Radiance {
   std::size_t pixels = 0;  ///< where they begin
 };
 
-/// What the line behind the header's empty one says: "-Y height +X width".
+/// Reads the line after the header's empty line: "-Y height +X width".
 std::optional<Radiance> readRadiance(const PictureBytes& file) {
   std::size_t at = 0;
   while (at < file.size() && !file.has(at, "\n\n")) ++at;
@@ -39,7 +39,7 @@ std::optional<Radiance> readRadiance(const PictureBytes& file) {
   return found;
 }
 
-/// Four bytes a pixel, or rows of which each channel is packed into runs by itself.
+/// Four bytes per pixel, or rows in which each channel is run-length encoded by itself.
 bool isWholeRadiance(const PictureBytes& file) {
   const std::optional<Radiance> header = readRadiance(file);
   if (!header) return true;
@@ -87,7 +87,7 @@ std::size_t readHeader(const PictureBytes& file, Visit visit) {
   return at;
 }
 
-/// The pixels that are there: the attribute "dataWindow", a Box2i.
+/// The size of the stored pixels: the attribute "dataWindow", a Box2i.
 std::optional<PictureSize> exrSize(const PictureBytes& file) {
   std::optional<PictureSize> size;
   readHeader(file, [&](const std::string& name, std::size_t value) {
@@ -103,13 +103,13 @@ std::optional<PictureSize> exrSize(const PictureBytes& file) {
   return size;
 }
 
-/// Chunks of rows or tiles, to which a table behind the header points; the first follows it.
+/// Chunks of rows or tiles, to which a table after the header points; the first follows the table.
 bool isWholeExr(const PictureBytes& file) {
   constexpr std::uint64_t kTiles = 0x200;
   constexpr std::uint64_t kDeepOrParts = 0x1800;
   const std::uint64_t flags = file.little(4, 4);
   if ((flags & kDeepOrParts) != 0) return true;
-  // A chunk begins with where it lies in the picture, then its size.
+  // A chunk begins with its position in the picture, followed by its size.
   const std::uint64_t where = (flags & kTiles) != 0 ? 16 : 4;
   const std::size_t table = readHeader(file, [](const std::string&, std::size_t) {});
   std::uint64_t table_end = file.size();

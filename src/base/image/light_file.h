@@ -11,10 +11,10 @@ namespace synthetic_dataset::base {
 
 [[nodiscard]] bool isLight(const PictureBytes& file);
 
-/// As claimedSize() has it.
+/// The size that the header claims, as in claimedSize().
 [[nodiscard]] std::optional<PictureSize> lightSize(const PictureBytes& file);
 
-/// As isWhole() has it.
+/// Whether all the picture's bytes are present, as in isWhole().
 [[nodiscard]] bool isWholeLight(const PictureBytes& file);
 
 }  // namespace synthetic_dataset::base

@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::base {
 
-/// Numbers of a picture file; 0 beyond its end.
+/// Reads numbers from a picture file; 0 beyond its end.
 class PictureBytes {
  public:
   explicit PictureBytes(const std::vector<std::uint8_t>& file) : file_(file) {}
@@ -37,7 +37,8 @@ class PictureBytes {
   const std::vector<std::uint8_t>& file_;
 };
 
-/// The first segment of a JPEG file whose marker is wanted (ITU T.81, annex B), or the file's end.
+/// The offset of the first segment of a JPEG file whose marker is wanted (ITU T.81, annex B), or
+/// the file's end.
 template <class Wanted>
 [[nodiscard]] std::size_t findSegment(const PictureBytes& file, Wanted isWanted) {
   std::size_t at = 2;
@@ -57,7 +58,7 @@ template <class Wanted>
 
 [[nodiscard]] inline bool isJpeg(const PictureBytes& file) { return file.has(0, "\xFF\xD8\xFF"); }
 
-/// The header of a TGA file has few values that are possible.
+/// Recognizes TGA, which has no magic number, by the few values that its header may have.
 [[nodiscard]] inline bool looksLikeTga(const PictureBytes& file) {
   const std::uint8_t kind = file.byte(2);
   const std::uint8_t depth = file.byte(16);

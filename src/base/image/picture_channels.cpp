@@ -12,8 +12,8 @@ namespace {
 constexpr int kRed = 2;
 constexpr int kAlpha = 3;
 
-/// How far the heights 0 and 1 are apart, in pixels. Files give heights no unit; this makes the
-/// steepest step between two neighbours a slope of 45 degrees.
+/// The distance between the heights 0 and 1, in pixels. Files give no unit for heights; with this,
+/// the steepest slope is 45 degrees.
 constexpr float kBumpDepth = 2.0F;
 
 cv::Mat channel(const cv::Mat& picture, int index) {

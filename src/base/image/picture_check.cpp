@@ -22,14 +22,14 @@ bool isWholeJpeg(const std::vector<std::uint8_t>& bytes) {
 
 std::uint64_t bytesFor(std::uint64_t bits) { return (bits + 7) / 8; }
 
-/// Where rows end of which each but the last takes `step` bytes.
+/// The end of rows of `step` bytes each, except for the last, which has `last`.
 std::uint64_t endOfRows(std::uint64_t from, std::uint64_t rows, std::uint64_t step,
                         std::uint64_t last) {
   return rows == 0 ? from : from + (rows - 1) * step + last;
 }
 
-/// Header, text, palette and pixels, the last in packets of up to 128 where they are run-length
-/// encoded (Truevision TGA specification 2.0, "TGA File Header" and appendix C).
+/// Header, text, palette and pixels; run-length encoded pixels come in packets of up to 128
+/// (Truevision TGA specification 2.0, "TGA File Header" and appendix C).
 bool isWholeTga(const PictureBytes& file) {
   constexpr std::size_t kHeader = 18;
   const std::uint64_t palette =
@@ -68,7 +68,7 @@ bool isWholeDds(const PictureBytes& file) {
 }
 
 /// BITMAPFILEHEADER and BITMAPINFOHEADER of Windows; rows start at multiples of 4 bytes.
-/// A height that is negative says that the first row is on top.
+/// A negative height means that the first row is on top.
 bool isWholeBmp(const PictureBytes& file) {
   const bool is_old = file.little(14, 4) == 12;
   const std::uint64_t compression = is_old ? 0 : file.little(30, 4);
@@ -82,12 +82,12 @@ bool isWholeBmp(const PictureBytes& file) {
   return endOfRows(file.little(10, 4), height, (row + 3) / 4 * 4, row) <= file.size();
 }
 
-/// The palette's bytes that a GIF's packed field announces.
+/// The size of the palette that a GIF's packed field announces [bytes].
 std::uint64_t gifPalette(std::uint8_t packed) {
   return (packed & 0x80U) != 0 ? std::uint64_t{3} << ((packed & 0x07U) + 1U) : 0;
 }
 
-/// Blocks up to the first picture's last (GIF89a, sections 15, 18, 20, 22 and 24).
+/// Blocks up to the last one of the first picture (GIF89a, sections 15, 18, 20, 22 and 24).
 bool isWholeGif(const PictureBytes& file) {
   constexpr std::uint8_t kExtension = 0x21;
   constexpr std::uint8_t kPicture = 0x2C;
@@ -103,9 +103,9 @@ bool isWholeGif(const PictureBytes& file) {
   return false;
 }
 
-/// The sections before the pixels, and these by channels, raw or in packed rows whose sizes come
-/// first (Adobe Photoshop File Formats Specification, "Image Data Section"). Version 2 has larger
-/// fields.
+/// The sections before the pixels, then the pixels channel by channel, either raw or as packed rows
+/// preceded by their sizes (Adobe Photoshop File Formats Specification, "Image Data Section").
+/// Version 2 has larger fields.
 bool isWholePsd(const PictureBytes& file) {
   const bool is_large = file.big(4, 2) == 2;
   const std::uint64_t rows = file.big(12, 2) * file.big(14, 4);
@@ -139,7 +139,7 @@ std::uint32_t bigEndian(const Bytes& file, std::size_t at) {
          static_cast<std::uint32_t>(file[at + 2]) << 8U | file[at + 3];
 }
 
-/// What each value of a byte makes of a checksum.
+/// The lookup table for the checksum, by byte.
 std::array<std::uint32_t, 256> makeChecksumTable() {
   std::array<std::uint32_t, 256> table{};
   for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
@@ -178,7 +178,7 @@ bool isWhole(const std::vector<std::uint8_t>& bytes) {
   return is_other || !looksLikeTga(file) || isWholeTga(file);
 }
 
-Bytes withoutColourProfile(const Bytes& file) {
+Bytes essentialPngChunks(const Bytes& file) {
   if (file.size() < kSignature.size() ||
       !std::equal(kSignature.begin(), kSignature.end(), file.begin())) {
     return file;

@@ -52,15 +52,15 @@ void checkSize(const PictureSize& size) {
 Bytes checked(const Bytes& file) {
   if (file.empty()) throw Error("cannot be decoded: the file is empty");
   if (const std::optional<PictureSize> size = claimedSize(file)) checkSize(*size);
-  Bytes essential = withoutColourProfile(file);
+  Bytes essential = essentialPngChunks(file);
   if (essential.empty() || !isWhole(essential)) {
     throw Error(kDamaged);
   }
   return essential;
 }
 
-/// OpenCV sets its codecs up when somebody first asks for them. A process that is forked while
-/// another thread does that would wait for it for ever: the process has no such thread.
+/// OpenCV sets its codecs up on first use. A process that is forked while another thread does so
+/// would wait for it forever, as that thread does not exist in the new process.
 void setUpCodecs() {
   static const bool kAreSetUp = [] {
     for (const char* kind : {".png", ".jpg"}) {
@@ -73,9 +73,9 @@ void setUpCodecs() {
   static_cast<void>(kAreSetUp);
 }
 
-/// Neither library's threads are used here, so that this can run in a process that was forked.
+/// Uses no threads of either library, so that it can run in a forked process.
 cv::Mat decode(const Bytes& file, const std::string& name) {
-  // OpenCV reads them from files alone, and OpenEXR's not everywhere.
+  // OpenCV reads such pictures only from files, and OpenEXR not everywhere.
   if (isLight(PictureBytes(file))) return decodeWithFreeImage(file, name);
   cv::Mat pixels;
   try {
@@ -109,10 +109,10 @@ cv::Mat fromBytes(const std::string& bytes) {
   return pixels;
 }
 
-/// What one process may hand over at most, unless it is of one picture [pixel].
+/// The most that one process may return, unless it is a single picture [pixel].
 constexpr std::uint64_t kLargestBatch = std::uint64_t{1} << 25U;
 
-/// Pictures that are decoded at the same time, by name: what makes their pixels.
+/// Pictures that are decoded together: the essential bytes of their files, by name.
 struct Batch {
   std::map<std::string, Bytes> files;
   std::uint64_t pixels = 0;
@@ -136,7 +136,7 @@ std::vector<Batch> batchesOf(const std::map<std::string, Bytes>& files) {
   return batches;
 }
 
-/// Colours of any depth and count of channels as blue, green, red, alpha of 8 bits.
+/// Converts colours of any depth and number of channels to blue, green, red, alpha of 8 bits.
 cv::Mat toBgra(const cv::Mat& picture) {
   cv::Mat bytes;
   if (picture.empty()) return {};
@@ -177,12 +177,12 @@ void decodeInto(const Batch& batch, std::map<std::string, cv::Mat>& pictures) {
       cv::Mat picture = toBgra(fromBytes(*pixels));
       if (!picture.empty()) pictures.emplace(entry.first, std::move(picture));
     } catch (const Error&) {
-      continue;  // it is decoded by itself then
+      continue;  // decodePicture() tells what is wrong
     }
   }
 }
 
-/// Decodes one picture after another.
+/// A process that decodes one picture after another.
 KeptProcess& keptDecoder() {
   setUpCodecs();
   static KeptProcess decoder(
@@ -195,8 +195,8 @@ KeptProcess& keptDecoder() {
   return decoder;
 }
 
-/// What toBytes() makes of its pixels. A picture that the decoder fails at gets a process of its
-/// own, which tells what is wrong with it alone.
+/// The result of toBytes() for a picture's pixels. If the kept decoder fails, the picture is
+/// decoded again in a process of its own, which tells what is wrong with it.
 std::string decodeApart(const Bytes& file, const std::string& name) {
   ByteWriter request;
   request.text(name);
@@ -210,7 +210,7 @@ std::string decodeApart(const Bytes& file, const std::string& name) {
   return std::get<std::string>(std::move(answer));
 }
 
-/// @return 8 or 16 bits a number as decodePixels() has it, or CV_32FC3: red, green, blue
+/// @return 8 or 16 bits per channel, as in decodePixels(), or CV_32FC3: red, green, blue
 cv::Mat decodeAny(const Bytes& file, const std::string& name) {
   cv::Mat pixels = fromBytes(decodeApart(checked(file), name));
   const bool is_known = pixels.depth() == CV_8U || pixels.depth() == CV_16U ||
@@ -220,10 +220,10 @@ cv::Mat decodeAny(const Bytes& file, const std::string& name) {
   return pixels;
 }
 
-/// Light of CV_32FC3, red, green, blue, as decodePictureOrLight() has it. OpenEXR also stores what
-/// is below 0 or no number.
+/// Converts light from CV_32FC3 (red, green, blue) to the result of decodePictureOrLight(). OpenEXR
+/// also stores negative numbers and NaN.
 cv::Mat lightOf(const cv::Mat& pixels) {
-  constexpr float kMost = 65504.0F;  // of numbers of 16 bits (IEEE 754 binary16)
+  constexpr float kMost = 65504.0F;  // the largest 16-bit float (IEEE 754 binary16)
   cv::Mat light(pixels.size(), CV_32FC4);
   for (int row = 0; row < pixels.rows; ++row) {
     const auto* from = pixels.ptr<cv::Vec3f>(row);

@@ -51,7 +51,7 @@ Size tiffSize(const PictureBytes& file) {
   return size;
 }
 
-/// A height that is negative says that the first row is on top.
+/// A negative height means that the first row is on top.
 Size bmpSize(const PictureBytes& file) {
   if (file.little(14, 4) == 12) return PictureSize{file.little(18, 2), file.little(20, 2)};
   const std::uint64_t height = file.little(22, 4);

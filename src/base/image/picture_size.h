@@ -11,9 +11,10 @@ struct PictureSize {
   std::uint64_t height = 0;
 };
 
-/// What a picture file's header claims, without decoding anything: of PNG, JPEG, BMP, GIF, WebP,
-/// TIFF, DDS, PSD, Radiance and OpenEXR files, and of TGA, which has no mark of its own, last.
-/// @return nothing for a file that is none of these, or too short
+/// The size that a picture file's header claims, without decoding anything: for PNG, JPEG, BMP,
+/// GIF, WebP, TIFF, DDS, PSD, Radiance and OpenEXR files and, tried last as it has no magic number,
+/// TGA.
+/// @return nullopt for a file that is none of these, or too short
 [[nodiscard]] std::optional<PictureSize> claimedSize(const std::vector<std::uint8_t>& file);
 
 }  // namespace synthetic_dataset::base

@@ -36,7 +36,7 @@ void appendChunk(Bytes& png, const char* type, const uchar* data, std::size_t si
   appendNumber(png, crc32(0, png.data() + checked, png.size() - checked));
 }
 
-/// A row's samples as PNG has them: red first, the high byte first.
+/// A row's samples in PNG's order: red first, high byte first.
 void takeRow(const cv::Mat& image, int row, uchar* to) {
   if (image.type() == CV_8UC3) {
     cv::Mat red_first(1, image.cols, CV_8UC3, to);
@@ -52,8 +52,8 @@ void takeRow(const cv::Mat& image, int row, uchar* to) {
   }
 }
 
-/// Filters rows one after another, each by what leaves the least: the sum of the differences'
-/// amounts, by which PNG's authors choose filters (ISO/IEC 15948, 12.8).
+/// Filters rows one after another, each with the filter that leaves the smallest sum of absolute
+/// differences, the criterion of PNG's authors (ISO/IEC 15948, 12.8).
 class RowFilter {
  public:
   RowFilter(std::size_t row_bytes, std::size_t pixel_bytes)
@@ -62,10 +62,10 @@ class RowFilter {
         row_(pixel_bytes + row_bytes, 0),
         above_(pixel_bytes + row_bytes, 0) {}
 
-  /// The row that is to be filtered.
+  /// The row to filter.
   [[nodiscard]] uchar* row() { return row_.data() + pixel_; }
 
-  /// Writes the filter's type and the filtered bytes, and goes on to the next row.
+  /// Writes the filter's type and the filtered bytes, and advances to the next row.
   void filter(uchar* to) {
     // The pixel to the left of the first one is 0.
     const uchar* const left = row_.data();
@@ -120,7 +120,7 @@ class RowFilter {
   Bytes above_;  ///< the same
 };
 
-/// CV_8UC1: a row for each of the image's, its filter's type first.
+/// CV_8UC1: a filtered row for each of the image's, preceded by its filter's type.
 cv::Mat filteredRows(const cv::Mat& image) {
   const std::size_t pixel_bytes = image.elemSize();
   const std::size_t row_bytes = pixel_bytes * static_cast<std::size_t>(image.cols);
@@ -151,7 +151,7 @@ bool isOneRun(const uchar* row, int size) {
   return std::memcmp(row, row + 1, static_cast<std::size_t>(size) - 1) == 0;
 }
 
-/// A mask's rows, unfiltered; nothing where a pixel is neither black nor white.
+/// A mask's rows, unfiltered; nullopt if a pixel is neither black nor white.
 std::optional<Bytes> deflatedMask(const cv::Mat& image) {
   if (image.type() != CV_8UC1) return std::nullopt;
   RunDeflater deflater;

@@ -9,17 +9,17 @@
 
 namespace synthetic_dataset::base {
 
-/// Why an image of places in a table of colours cannot be written; nothing when it can.
+/// Why an image of palette indices cannot be written; nullopt if it can.
 [[nodiscard]] std::optional<std::string> indexedImageProblem(const std::string& path,
                                                              const cv::Mat& indices,
                                                              const std::vector<cv::Vec3b>& palette);
 
-/// A PNG (ISO/IEC 15948), the same bytes for the same pixels: deflated as
-/// deflate.h says, and each row is filtered in the way, of three that processors do many bytes at a
-/// time, that leaves the smallest numbers. Masks (pixels of 0 and 255 alone) are not filtered, and
-/// deflated as runs, whatever `compression` is.
+/// Encodes a PNG (ISO/IEC 15948), with the same bytes for the same pixels: deflated as described in
+/// deflate.h, each row with whichever of three filters that can use SIMD instructions leaves the
+/// smallest numbers. Masks (pixels of only 0 and 255) are not filtered, and are deflated as runs
+/// whatever `compression` is.
 /// @param image  CV_8UC1, CV_16UC1 or CV_8UC3 (blue, green, red)
-/// @param palette  the colours (blue, green, red) of an image of places in it; else empty
+/// @param palette  the colours (blue, green, red) if the image holds palette indices; else empty
 /// @param compression  0 and 1 ISA-L, fastest; 2 .. 9 libdeflate, smallest
 /// @throws Error as `deflated` does
 [[nodiscard]] std::vector<uchar> encodePng(const cv::Mat& image,

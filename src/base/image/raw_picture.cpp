@@ -19,7 +19,7 @@ struct Encoding {
 };
 
 /// http://docs.ros.org/en/noetic/api/sensor_msgs/html/image__encodings_8h_source.html. OpenCV names
-/// a mosaic by the second row's second and third pixel, ROS by the first two.
+/// a Bayer mosaic by the second row's second and third pixel, ROS by the first two.
 const std::map<std::string, Encoding>& encodings() {
   static const std::map<std::string, Encoding> kEncodings = {
       {"mono8", {CV_8UC1, cv::COLOR_GRAY2BGR}},
@@ -57,7 +57,7 @@ std::string sizeText(const RawPicture& picture) {
   return std::to_string(picture.width) + " x " + std::to_string(picture.height) + " pixels";
 }
 
-/// Values of several bytes in the other order.
+/// Reverses the byte order of multi-byte values.
 void swapBytes(cv::Mat& pixels) {
   const std::size_t size = pixels.elemSize1();
   for (int row = 0; row < pixels.rows && size > 1; ++row) {
@@ -81,7 +81,7 @@ cv::Mat converted(const cv::Mat& pixels, int conversion) {
   return toEightBits(colours);
 }
 
-/// In this machine's byte order.
+/// The pixels in this machine's byte order.
 cv::Mat pixelsOf(const RawPicture& picture) {
   const int type = encodings().at(picture.encoding).type;
   cv::Mat pixels(static_cast<int>(picture.height), static_cast<int>(picture.width), type);

@@ -8,14 +8,14 @@ namespace synthetic_dataset::base {
 namespace {
 
 constexpr std::uint64_t kAdlerBase = 65521;
-constexpr std::size_t kShortest = 3;  // bytes that a repetition can stand for
+constexpr std::size_t kShortest = 3;  // bytes that a repetition can represent
 constexpr std::size_t kLongest = 258;
 constexpr std::size_t kEnd = 256;  // the symbol after the last one of a block
 constexpr std::size_t kFirstLength = 257;
 constexpr std::size_t kLongestLength = 285;
 constexpr std::size_t kSymbols = 286;
 
-/// A Huffman code's word, its first bit lowest.
+/// A word of a Huffman code, its first bit lowest.
 struct Word {
   std::uint32_t bits = 0;
   int count = 0;
@@ -43,7 +43,8 @@ std::array<Word, kSize> codeOf(const std::array<int, kSize>& lengths) {
   return code;
 }
 
-/// Most of a mask is the longest of repetitions; black, white and the rest share what is left.
+/// Most of a mask is repetitions of the greatest length, which therefore has the shortest word;
+/// black, white and the rest share the other words.
 std::array<int, kSymbols> symbolLengths() {
   std::array<int, kSymbols> lengths{};
   lengths[0] = lengths[255] = 3;
@@ -70,8 +71,8 @@ Length lengthOf(std::size_t count) {
   std::size_t first = kShortest;
   std::size_t symbol = kFirstLength;
   for (int extra_count = 0;; ++extra_count) {
-    // The first eight stand for one length each, then each four for twice as many as the ones
-    // before.
+    // The first eight symbols represent one length each; then, in groups of four, each symbol
+    // represents twice as many as in the group before.
     const std::size_t group = extra_count == 0 ? 8 : 4;
     const std::size_t each = std::size_t{1} << static_cast<unsigned>(extra_count);
     if (count < first + group * each) {
@@ -86,22 +87,22 @@ Length lengthOf(std::size_t count) {
 }  // namespace
 
 RunDeflater::RunDeflater() {
-  // RFC 1950: deflate with a window of 32 kB, at the fastest.
+  // RFC 1950: deflate with a window of 32 kB, fastest level.
   bytes_ = {0x78, 0x01};
   write(1, 1);  // the last block
   write(2, 2);  // with a code of its own, which follows (RFC 1951, 3.2.7)
   write(kSymbols - 257, 5);
-  write(0, 5);  // one distance: of the byte before
-  // The lengths of words have a code of their own, of whose words come the lengths first.
-  constexpr std::size_t kRepeat = 16;  // the length before, 3 to 6 times
-  constexpr std::size_t kZeros = 18;   // 11 to 138 of them
+  write(0, 5);  // one distance: that of the preceding byte
+  // The lengths of words have a code of their own, whose word lengths come first.
+  constexpr std::size_t kRepeat = 16;  // repeats the preceding length 3 to 6 times
+  constexpr std::size_t kZeros = 18;   // 11 to 138 zeros
   constexpr std::array<std::size_t, 19> kOrder = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};
   std::array<int, 19> lengths{};
   lengths[kRepeat] = lengths[7] = 2;
   lengths[kZeros] = lengths[1] = lengths[3] = lengths[6] = 3;
   const std::array<Word, 19> code = codeOf(lengths);
-  constexpr std::size_t kSent = 18;  // of kOrder: all up to that of 1
+  constexpr std::size_t kSent = 18;  // entries of kOrder: all up to that of 1
   write(kSent - 4, 4);
   for (std::size_t i = 0; i < kSent; ++i)
     write(static_cast<std::uint32_t>(lengths.at(kOrder.at(i))), 3);
@@ -143,7 +144,7 @@ std::vector<std::uint8_t> RunDeflater::finish() {
 
 void RunDeflater::endRun() {
   if (run_count_ == 0) return;
-  // What adding byte after byte comes to.
+  // The same as adding byte after byte.
   const std::uint64_t count = run_count_ % kAdlerBase;
   const std::uint64_t steps = run_count_ * (run_count_ + 1) / 2 % kAdlerBase;
   sums_ = (sums_ + count * sum_ + run_byte_ * steps) % kAdlerBase;

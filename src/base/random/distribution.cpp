@@ -70,7 +70,7 @@ struct Distribution::Draw {
     return components(kind.low.size() == 1 && kind.high.size() == 1, [&](std::size_t i) {
       const double low = componentOf(kind.low, i);
       const double high = componentOf(kind.high, i);
-      return std::clamp(source.uniform(low, high), low, high);  // rounding may pass an end
+      return std::clamp(source.uniform(low, high), low, high);  // rounding may exceed an end
     });
   }
 
@@ -105,7 +105,7 @@ struct Distribution::Draw {
   }
 };
 
-/// The least and the greatest number that a kind can draw.
+/// The least and the greatest number that a kind of distribution can draw.
 struct Distribution::Extremes {
   template <class Bounded>
   std::pair<double, double> operator()(const Bounded& kind) const {

@@ -9,7 +9,7 @@ namespace {
 
 std::uint64_t mixed(std::uint64_t x) { return mixedBits(x + kCounterStep); }
 
-/// Above 0, up to 1.
+/// 0 < number <= 1.
 double unit(std::uint64_t bits) { return (static_cast<double>(bits >> 11) + 1.0) * 0x1.0p-53; }
 
 }  // namespace

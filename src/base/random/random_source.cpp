@@ -24,7 +24,7 @@ double RandomSource::unit() { return static_cast<double>(bits() >> 11) * 0x1.0p-
 double RandomSource::normal() { return randomNormals(bits(), 0).first; }
 
 std::size_t RandomSource::index(std::size_t count) {
-  // What is left over of the 64-bit numbers would make the first ones likelier.
+  // The incomplete last block of 64-bit numbers is rejected: it would make small results likelier.
   const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t limit = most - most % count;
   std::uint64_t draw = bits();
@@ -35,7 +35,7 @@ std::size_t RandomSource::index(std::size_t count) {
 std::vector<std::size_t> RandomSource::choice(std::size_t count, std::size_t all) {
   std::vector<std::size_t> numbers(all);
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-  // The first steps of Fisher's and Yates's shuffle.
+  // The first steps of a Fisher-Yates shuffle.
   for (std::size_t i = 0; i < count; ++i) std::swap(numbers[i], numbers[i + index(all - i)]);
   numbers.resize(count);
   return numbers;

@@ -9,8 +9,9 @@
 
 namespace synthetic_dataset::base {
 
-/// Random numbers one after another, the same on every machine: those of the standard library's
-/// distributions differ from library to library. SplitMix64 (Steele, Lea and Flood 2014).
+/// A sequence of random numbers that is the same on every machine: the standard library's
+/// distributions differ from implementation to implementation. SplitMix64 (Steele, Lea and Flood
+/// 2014).
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : state_(seed) {}
@@ -23,13 +24,13 @@ class RandomSource {
   /// 0 <= number < 1.
   [[nodiscard]] double unit();
 
-  /// low <= number <= high; either may be the greater.
+  /// A number between the two; either may be the greater.
   [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * unit(); }
 
   /// Normally distributed with mean 0 and standard deviation 1.
   [[nodiscard]] double normal();
 
-  /// 0 <= number < count, each as likely as the others. @param count  > 0
+  /// 0 <= number < count, all equally likely. @param count  > 0
   [[nodiscard]] std::size_t index(std::size_t count);
 
   /// Draws `count` of the numbers 0 .. all - 1 without replacement, in random order.
@@ -42,7 +43,7 @@ class RandomSource {
   /// A unit vector, uniformly distributed over the sphere.
   [[nodiscard]] Eigen::Vector3d direction();
 
-  /// Each orientation as likely as the others (Shoemake 1992).
+  /// An orientation, uniformly distributed (Shoemake 1992).
   [[nodiscard]] Eigen::Quaternion<double, Eigen::DontAlign> orientation();
 
  private:

@@ -36,7 +36,7 @@ geometry_msgs::Quaternion toQuaternion(const Pose& X_AB) {
   return result;
 }
 
-/// Any of geometry_msgs' types with x, y and z.
+/// Converts to any type of geometry_msgs with x, y and z.
 template <class Message>
 Message toXyz(const Eigen::Vector3d& p) {
   Message result;
@@ -54,7 +54,7 @@ void addDistortion(const Distortion& distortion, sensor_msgs::CameraInfo& info) 
   info.D = coefficientsOf(named);
 }
 
-/// tf2 refuses a frame that is its own parent: it would say nothing.
+/// Adds a transform unless the frame is its own parent, which tf2 refuses.
 void addTransform(const std_msgs::Header& header, const std::string& child, const Pose& X_GB,
                   tf2_msgs::TFMessage& message) {
   if (child == header.frame_id) return;
@@ -94,7 +94,7 @@ Marker nameMarker(const std_msgs::Header& header, const SceneObject& object) {
   return name;
 }
 
-/// tf2 wants no slash in front.
+/// tf2 does not accept a leading slash.
 std::string withoutSlash(const std::string& frame) {
   const std::size_t begin = frame.find_first_not_of('/');
   return begin == std::string::npos ? "" : frame.substr(begin);
@@ -187,7 +187,7 @@ tf2_msgs::TFMessage transforms(const Scene& scene, const CameraFrame& camera,
 visualization_msgs::MarkerArray objectMarkers(const Scene& scene, const SceneFrames& frames) {
   const std_msgs::Header header = headerOf(scene.stamp, frames.globalFrame());
   visualization_msgs::MarkerArray result;
-  // An object that has left the picture is not named again: what was there before goes first.
+  // Objects that have left the picture are not named again, so all earlier markers are deleted.
   Marker clear;
   clear.header = header;
   clear.action = Marker::DELETEALL;

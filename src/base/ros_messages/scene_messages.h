@@ -14,14 +14,14 @@
 /// Scenes as ROS messages, for bags and for topics; no ROS master is needed.
 namespace synthetic_dataset::ros_messages {
 
-/// Whether names of topics have it: letters, digits, `_` and `/`. http://wiki.ros.org/Names
+/// Whether topic names may contain it: letters, digits, `_` and `/`. http://wiki.ros.org/Names
 [[nodiscard]] bool isTopicLetter(char letter);
 
-/// Names that topics may have, each once: with `_` for what they have not, and a number at the end
-/// of those that would be twice.
+/// Turns names into unique, valid topic names: other characters become `_`, and duplicates get a
+/// number at the end.
 [[nodiscard]] std::vector<std::string> topicNames(const std::vector<std::string>& names);
 
-/// Frames of scenes as messages name them: beside those of the recording, not in their place.
+/// The names of scenes' frames in messages; a prefix keeps them apart from the recording's frames.
 class SceneFrames {
  public:
   /// @param prefix  of all frames but the global one
@@ -35,18 +35,18 @@ class SceneFrames {
   std::string prefix_;
 };
 
-/// Which poses the scenes of a camera give. Of each instant, each pose is to be given once, as tf2
-/// warns of a pose that comes again.
+/// Which poses the scenes of a camera provide. For each instant, each pose should be provided once,
+/// as tf2 warns of repeated poses.
 struct CameraFrame {
   std::string name;         ///< of the optical frame, in the recording
-  bool has_pose = true;     ///< whether they give the pose of this frame
-  bool has_objects = true;  ///< whether they give the objects' poses
+  bool has_pose = true;     ///< whether they provide the pose of this frame
+  bool has_objects = true;  ///< whether they provide the objects' poses
 };
 
-/// @throws Error when ROS has no such time, as the functions below do
+/// @throws Error if ROS cannot represent the time, as the functions below do
 [[nodiscard]] std_msgs::Header headerOf(Stamp stamp, const std::string& frame);
 
-/// Colours that differ however many classes there are: hues a golden ratio apart.
+/// Colours that differ however many classes there are: their hues are a golden ratio apart.
 [[nodiscard]] std_msgs::ColorRGBA classColour(int class_id, float opacity);
 
 [[nodiscard]] sensor_msgs::CameraInfo cameraInfo(const std_msgs::Header& header,
@@ -60,9 +60,9 @@ struct CameraFrame {
 [[nodiscard]] tf2_msgs::TFMessage transforms(const Scene& scene, const CameraFrame& camera,
                                              const SceneFrames& frames);
 
-/// A box and a name for each labelled object, in the global frame; what was shown before goes
-/// first.
-/// @throws Error unless the scene has visible masks or visibility, too
+/// A box and a name for each labelled object, in the global frame, after a marker that deletes
+/// those shown before.
+/// @throws Error also unless the scene has visible masks or visibility
 [[nodiscard]] visualization_msgs::MarkerArray objectMarkers(const Scene& scene,
                                                             const SceneFrames& frames);
 

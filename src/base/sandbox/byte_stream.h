@@ -13,7 +13,7 @@
 
 namespace synthetic_dataset::base {
 
-/// Puts values one after the other into bytes, for another process of the same program.
+/// Serializes values one after another, for another process of the same program.
 class ByteWriter {
  public:
   template <class Number>
@@ -25,7 +25,7 @@ class ByteWriter {
     number<std::uint64_t>(value.size());
     raw(value.data(), value.size());
   }
-  /// A list of numbers, or of Eigen's fixed-size vectors, which have no other members.
+  /// A list of numbers, or of Eigen's fixed-size vectors, which contain nothing else.
   template <class Element>
   void list(const std::vector<Element>& values) {
     number<std::uint64_t>(values.size());
@@ -41,8 +41,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Takes them out again in the same order.
-/// Its methods throw Error where the bytes end too early.
+/// Reads back what a ByteWriter wrote, in the same order.
+/// Its methods throw Error if the bytes end too early.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -70,7 +70,7 @@ class ByteReader {
     copy(values.data(), values.size() * sizeof(Element));
     return values;
   }
-  /// How many entries follow, each of one byte at least.
+  /// How many entries follow, each of at least one byte.
   [[nodiscard]] std::size_t entries() { return count(1); }
   void copy(void* to, std::size_t size) {
     if (size > bytes_.size()) throw Error("its content came over incomplete");

@@ -43,7 +43,7 @@ void becomeSandboxed(const SandboxLimits& limits) {
 
 bool isSandboxed() { return is_sandboxed; }
 
-std::int64_t timeOfWaiting(pid_t process) {
+std::int64_t cpuTimeIfSleeping(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string stat;
   std::getline(file, stat);

@@ -6,19 +6,21 @@
 
 #include "base/sandbox/sandboxed_process.h"
 
-/// What processes of SandboxedProcess's and KeptProcess's share.
+/// What the processes of SandboxedProcess and KeptProcess have in common.
 namespace synthetic_dataset::base {
 
-/// In the child: no core file, no output, no handlers, and no more memory than the limit has it.
+/// To be called in the child: no core file, no output, no signal handlers, and no more memory than
+/// the limit allows.
 void becomeSandboxed(const SandboxLimits& limits);
 
-/// Whether this is a process that becomeSandboxed() has made.
+/// Whether becomeSandboxed() was called in this process.
 [[nodiscard]] bool isSandboxed();
 
-/// The processor time of a process that waits [clock ticks], or -1 where it does not (proc(5)).
-[[nodiscard]] std::int64_t timeOfWaiting(pid_t process);
+/// The processor time used by a sleeping process [clock ticks], or -1 if it does not sleep
+/// (proc(5)).
+[[nodiscard]] std::int64_t cpuTimeIfSleeping(pid_t process);
 
-/// Ends a child, and waits for that.
+/// Kills a child and waits for its end.
 void endChild(pid_t child) noexcept;
 
 }  // namespace synthetic_dataset::base

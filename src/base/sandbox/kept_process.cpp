@@ -21,14 +21,14 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// What goes before a request, and before an answer.
+/// Precedes each request and each answer.
 struct Head {
   std::uint64_t size = 0;  // [byte] of what follows
   bool is_done = true;
 };
 
-/// @param is_ready  waits until something may be sent or is there; what is done is ended where it
-/// says no
+/// @param is_ready  waits until data can be sent or received; the transfer is aborted if it returns
+///     false
 template <class IsReady>
 bool sendAll(int to, const void* data, std::size_t size, const IsReady& is_ready) {
   const auto* bytes = static_cast<const char*>(data);
@@ -64,7 +64,8 @@ bool receiveAll(int from, void* data, std::size_t size, const IsReady& is_ready)
   return true;
 }
 
-/// Files of the parent that a process keeps open would stay locked, and ports taken.
+/// Closes the parent's files: while this process keeps them open, files would stay locked and ports
+/// in use.
 void closeAllBut(int kept) {
   std::vector<int> open;
   std::error_code error;
@@ -76,7 +77,7 @@ void closeAllBut(int kept) {
   }
 }
 
-/// Answers until nobody is at the other end.
+/// Answers requests until the other end is closed.
 [[noreturn]] void answerAll(const std::function<std::string(std::string_view)>& work,
                             const SandboxLimits& limits, int socket) {
   closeAllBut(socket);
@@ -146,8 +147,8 @@ std::optional<std::string> KeptProcess::ask(std::string_view request) {
   return answer;
 }
 
-/// A process that neither takes nor sends anything and waits without using the processor waits for
-/// a lock that nobody will ever unlock there, as SandboxLimits::idle has it.
+/// A process that neither receives nor sends anything and sleeps without using the processor is
+/// waiting for a lock that nothing will ever unlock there; see SandboxLimits::idle.
 std::optional<std::string> KeptProcess::answerTo(std::string_view request) const {
   std::int64_t before = -1;
   const auto it_works = [&](short event) {
@@ -156,7 +157,7 @@ std::optional<std::string> KeptProcess::answerTo(std::string_view request) const
       const int ready = poll(&end, 1, static_cast<int>(limits_.idle.count()));
       if (ready > 0) return true;
       if (ready < 0 && errno != EINTR) return false;
-      const std::int64_t now = timeOfWaiting(child_);
+      const std::int64_t now = cpuTimeIfSleeping(child_);
       if (ready == 0 && now >= 0 && now == before) return false;
       before = now;
     }

@@ -15,7 +15,7 @@ namespace {
 
 using Results = std::vector<std::optional<std::string>>;
 
-/// Every n-th piece from one on, as large ones often stand together.
+/// Every n-th piece from a first one on, as large pieces are often next to each other.
 struct Share {
   const std::vector<SandboxedWork>& pieces;
   std::size_t first;
@@ -31,7 +31,7 @@ struct Share {
     return limits;
   }
 
-  /// In the process: whether each has a result, and that.
+  /// Runs in the process: for each piece, whether it has a result, and the result.
   [[nodiscard]] std::string work() const {
     ByteWriter writer;
     for (std::size_t i = first; i < pieces.size(); i += step) {
@@ -39,7 +39,7 @@ struct Share {
       try {
         limitSandboxTime(pieces[i].processor_time);
         result = pieces[i].work();
-      } catch (const std::exception&) {  // too little memory for it, too
+      } catch (const std::exception&) {  // also when it runs out of memory
         result.reset();
       }
       writer.number(result.has_value());
@@ -48,7 +48,8 @@ struct Share {
     return writer.take();
   }
 
-  /// Each share has places of its own, so that several may be taken at a time.
+  /// Stores the results of the process. Each share has its own places in `results`, so that several
+  /// threads may do so at a time.
   void take(SandboxedProcess& process, Results& results) const {
     try {
       const auto answer = process.finish();
@@ -79,7 +80,7 @@ Results runAllSandboxed(const std::vector<SandboxedWork>& pieces, std::uint64_t 
   Results results(pieces.size());
   std::vector<std::future<void>> takings;
   for (std::size_t i = 0; i < count; ++i) {
-    // One after another, where the system starts no more threads.
+    // Deferred, and so one after another, if the system cannot start more threads.
     takings.push_back(std::async(std::launch::async | std::launch::deferred,
                                  [&, i] { shares[i].take(processes[i], results); }));
   }

@@ -15,11 +15,12 @@ struct SandboxedWork {
   std::chrono::seconds processor_time{0};
 };
 
-/// Does many pieces of work, as many side by side as the machine has cores. A process of its own
-/// costs more than a small piece does; here some pieces share one, each with its own time.
+/// Does many pieces of work, as many in parallel as the machine has cores. A process per piece
+/// would cost more than a small piece itself; here several pieces share a process, each with its
+/// own time limit.
 /// @param memory  [byte] of each process, beyond what is in use already
-/// @return what each piece returns; nothing for those that fail or whose process breaks down:
-///     runSandboxed says what is wrong with them
+/// @return what each piece returns; nullopt for those that fail or whose process breaks down:
+///     runSandboxed tells what is wrong with them
 [[nodiscard]] std::vector<std::optional<std::string>> runAllSandboxed(
     const std::vector<SandboxedWork>& pieces, std::uint64_t memory);
 

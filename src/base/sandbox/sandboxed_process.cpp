@@ -23,22 +23,22 @@
 namespace synthetic_dataset::base {
 namespace {
 
-// Exit codes of the child: how its answer is to be taken.
+// Exit codes of the child, which tell how to interpret its answer.
 constexpr int kDone = 0;
 constexpr int kOutOfMemory = 1;
 constexpr int kError = 2;
 
-constexpr int kPipeSize = 1 << 20;  // [byte]; the kernel's default is a sixteenth of it
+constexpr int kPipeSize = 1 << 20;  // [byte]; the kernel's default is a sixteenth of this
 
-/// A child that waits without using processor time gets this many times its limit.
+/// The limit on a child's elapsed time, as a multiple of its processor time limit.
 constexpr unsigned kPatience = 4;
 
-/// How often a child is started anew that waits without using the processor.
+/// How often a child that waits without using the processor is restarted.
 constexpr int kRestarts = 3;
 
 constexpr std::chrono::milliseconds kForEver{-1};  // poll(2)
 
-/// In the child, which ends with its parent at the latest.
+/// Called in the child, which ends at the latest with its parent.
 void prepare(const SandboxLimits& limits, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kError);  // it has ended already
@@ -72,7 +72,7 @@ void writeAll(int to, std::string_view bytes) {
   _exit(code);  // without the parent's exit handlers and buffers
 }
 
-/// What a child sends until it ends; nothing if, from one `interval` to the next, it sends nothing
+/// What a child sends until it ends; nullopt if, from one `interval` to the next, it sends nothing
 /// and waits without having used the processor.
 std::optional<std::string> readAll(int from, pid_t child, std::chrono::milliseconds interval) {
   std::string bytes;
@@ -83,7 +83,7 @@ std::optional<std::string> readAll(int from, pid_t child, std::chrono::milliseco
     const int ready = poll(&end, 1, static_cast<int>(interval.count()));
     if (ready < 0 && errno == EINTR) continue;
     if (ready == 0) {
-      const std::int64_t now = timeOfWaiting(child);
+      const std::int64_t now = cpuTimeIfSleeping(child);
       if (now >= 0 && now == before) return std::nullopt;
       before = now;
       continue;
@@ -97,7 +97,7 @@ std::optional<std::string> readAll(int from, pid_t child, std::chrono::milliseco
 }
 
 struct End {
-  int status = 0;         ///< as wait(2) has it
+  int status = 0;         ///< as returned by wait(2)
   std::int64_t time = 0;  ///< of the processor [s]
 };
 
@@ -115,7 +115,7 @@ End endOf(pid_t child) {
 
 std::string howItEnded(const End& end, const SandboxLimits& limits) {
   const int signal = WTERMSIG(end.status);
-  // What goes on past its limit is killed by the kernel, as is what the kernel has no memory for.
+  // The kernel kills a process that exceeds its limit, and also one for which it has no memory.
   const bool used_its_time = end.time >= limits.processor_time.count();
   if (signal == SIGXCPU || signal == SIGALRM || (signal == SIGKILL && used_its_time)) {
     return "does not end within " + std::to_string(limits.processor_time.count()) + " s";
@@ -135,7 +135,7 @@ void SandboxedProcess::start() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
   const auto [reading, writing] = ends;
-  static_cast<void>(fcntl(writing, F_SETPIPE_SZ, kPipeSize));  // slower where it may not
+  static_cast<void>(fcntl(writing, F_SETPIPE_SZ, kPipeSize));  // slower if that is not permitted
   const pid_t parent = getpid();
   child_ = fork();
   if (child_ == 0) run(work_, limits_, parent, writing);

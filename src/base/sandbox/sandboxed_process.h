@@ -14,8 +14,8 @@ struct SandboxLimits {
   std::uint64_t memory = std::uint64_t{4} << 30U;  ///< [byte], beyond what is in use already
 
   /// A process that sends nothing and waits without using the processor for one to two times this
-  /// long is started anew, three times at most: where another thread held a lock (of a heap, of a
-  /// library) when the process was forked, nobody will ever unlock it there.
+  /// long is restarted, at most three times: if another thread held a lock (of the heap or a
+  /// library) when the process was forked, nothing will ever unlock it in the child.
   std::chrono::milliseconds idle{1000};
 };
 
@@ -24,26 +24,26 @@ struct Crash {
   std::string how;
 };
 
-/// A piece of work in a process of its own, so that a library that crashes or never ends takes
-/// nothing else with it. What the work changes or prints is lost; what it returns is handed over.
-/// Where no process is to be had the work is done in this one, when it is finished.
+/// A piece of work in a process of its own, so that a library that crashes or never returns does
+/// not affect anything else. What the work changes or prints is lost; what it returns is passed
+/// back. If no process can be started, the work is done in this one, by finish().
 ///
-/// Several may work at a time. The work may be started more than once (see SandboxLimits::idle). It
-/// ends with the thread that started it, at the latest.
+/// Several may run at a time. The work may be started more than once (see SandboxLimits::idle). It
+/// ends at the latest with the thread that started it.
 class SandboxedProcess {
  public:
-  /// Starts it.
+  /// Starts the work.
   /// @param work  may throw Error
   SandboxedProcess(std::function<std::string()> work, const SandboxLimits& limits);
 
-  /// Ends it at once, if it has not been finished.
+  /// Ends the work at once unless finish() was called.
   ~SandboxedProcess();
   SandboxedProcess(SandboxedProcess&& other) noexcept;
   SandboxedProcess(const SandboxedProcess&) = delete;
   SandboxedProcess& operator=(const SandboxedProcess&) = delete;
   SandboxedProcess& operator=(SandboxedProcess&&) = delete;
 
-  /// Waits for its end; to be called once, in any thread.
+  /// Waits for the work to end; to be called once, in any thread.
   /// @return the work's result, or how it broke down
   /// @throws Error as the work does
   [[nodiscard]] std::variant<std::string, Crash> finish();
@@ -51,7 +51,7 @@ class SandboxedProcess {
  private:
   void start();
   void stop() noexcept;
-  std::optional<std::string> receive();  ///< its answer, or nothing if there is no process
+  std::optional<std::string> receive();  ///< its answer, or nullopt if there is no process
 
   std::function<std::string()> work_;
   SandboxLimits limits_;
@@ -59,8 +59,8 @@ class SandboxedProcess {
   int reading_ = -1;  ///< the end of the pipe that brings its answer, or -1 for none
 };
 
-/// In a process of SandboxedProcess's: gives what is done from now on its own time, within the
-/// whole work's. Elsewhere it does nothing.
+/// In a sandboxed process: gives the work from now on a processor time limit of its own, within
+/// that of the whole process. Does nothing in other processes.
 void limitSandboxTime(std::chrono::seconds processor_time);
 
 /// Starts and finishes a piece of work.

@@ -47,7 +47,7 @@ struct Pipe {
   _exit(kNoSuchProgram);
 }
 
-/// Reads both until both have ended.
+/// Reads both pipes to their ends.
 void readBoth(int output, int errors, ProgramResult& to) {
   std::array<pollfd, 2> ends{pollfd{output, POLLIN, 0}, pollfd{errors, POLLIN, 0}};
   std::array<char, 1U << 16U> buffer{};
@@ -66,7 +66,7 @@ void readBoth(int output, int errors, ProgramResult& to) {
   }
 }
 
-/// In the sandboxed process, whose limits the program inherits.
+/// Runs in the sandboxed process, whose limits the program inherits.
 std::string run(const std::vector<std::string>& command) {
   const Pipe output;
   const Pipe errors;
@@ -80,7 +80,8 @@ std::string run(const std::vector<std::string>& command) {
   int status = 0;
   while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFSIGNALED(status)) std::raise(WTERMSIG(status));  // this process ends as the program did
+  if (WIFSIGNALED(status))
+    std::raise(WTERMSIG(status));  // this process ends in the same way as the program
   result.exit_code = WEXITSTATUS(status);
   ByteWriter writer;
   writer.number(result.exit_code);
@@ -93,7 +94,8 @@ std::string run(const std::vector<std::string>& command) {
 
 std::variant<ProgramResult, Crash> runSandboxedProgram(const std::vector<std::string>& command,
                                                        SandboxLimits limits) {
-  // The process waits without using the processor, which does not restart the time limit.
+  // The process only waits for the program, without using the processor, and must not be restarted
+  // for that.
   limits.idle = 8 * std::chrono::milliseconds(limits.processor_time);
   const auto answer = runSandboxed([&] { return run(command); }, limits);
   if (const auto* crash = std::get_if<Crash>(&answer)) return *crash;

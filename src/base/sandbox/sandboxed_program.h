@@ -10,7 +10,7 @@ namespace synthetic_dataset::base {
 
 /// What a program has printed, and how it ended.
 struct ProgramResult {
-  int exit_code = 0;   ///< 127 where there is no such program, as shells have it
+  int exit_code = 0;   ///< 127 if there is no such program, as in shells
   std::string output;  ///< its standard output
   std::string errors;  ///< its standard error
 };

@@ -18,7 +18,7 @@ std::optional<double> numberOf(const Value& value) {
   if (text == nullptr || !isAngleText(*text)) return std::nullopt;
   try {
     return numberOf(parseSettings(*text, ""));
-  } catch (const Error&) {  // which is said where the settings are read
+  } catch (const Error&) {  // reported where the settings are read
     return std::nullopt;
   }
 }
@@ -60,7 +60,7 @@ void setFrom(Value& tree, const YamlPath& path, std::size_t depth, const Value& 
   setFrom(list[index], path, depth + 1, value);
 }
 
-/// @return whether the entry is gone as a whole
+/// Removes the entry at a path, and the maps around it that are then empty.
 void removeFrom(Value& tree, const YamlPath& path, std::size_t depth) {
   const auto* name = std::get_if<std::string>(&path[depth]);
   if (auto* map = tree.as<Value::Map>(); map != nullptr && name != nullptr) {

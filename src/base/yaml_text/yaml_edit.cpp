@@ -8,7 +8,7 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// One step from a tree to another.
+/// One step in changing a tree to another.
 struct Step {
   enum class Kind { kSet, kInsert, kRemove };
   Kind kind;
@@ -57,7 +57,7 @@ class StepFinder {
     }
   }
 
-  /// Entries that are alike at both ends stay, with their comments.
+  /// Equal entries at the beginning and the end of the lists stay, with their comments.
   void compareLists(const Value::List& from, const Value::List& to) {
     const std::size_t shorter = std::min(from.size(), to.size());
     std::size_t begin = 0;
@@ -87,7 +87,7 @@ class StepFinder {
   std::vector<Step> steps_;
 };
 
-/// An empty text is a group without names.
+/// Reads a text as a group; an empty text is a group without entries.
 Value readGroup(const std::string& text, const std::string& origin) {
   Value tree = readYamlText(text, origin);
   if (tree.isNull()) return Value::Map{};
@@ -101,10 +101,10 @@ class Editor {
   Editor(const std::string& origin, const Value& expected, const NameOrder& order)
       : origin_(origin), expected_(expected), order_(order) {}
 
-  /// @throws Error when the text does not come to say what is expected
+  /// @throws Error if the text cannot be made to mean what is expected
   std::string edit(std::string text) const {
     Value tree = readGroup(text, origin_);
-    // Each round makes one structural change, or all that are none.
+    // Each round makes one structural change, or all non-structural ones.
     constexpr std::size_t kMoreRounds = 50;
     std::size_t rounds = kMoreRounds + 4 * StepFinder().between(tree, expected_).size();
     for (; rounds > 0; --rounds) {
@@ -118,7 +118,7 @@ class Editor {
     throw Error("the text does not take this change");
   }
 
-  /// Writes an entry anew.
+  /// Rewrites an entry, then edits the rest.
   std::string rewrite(const std::string& text, const YamlPath& path) const {
     const Value* value = valueAt(expected_, path);
     const YamlSplicer splicer(text, origin_);
@@ -149,7 +149,7 @@ class Editor {
       if (!aliases.empty()) return aliases;
       return {splicer.remove(step.path)};
     }
-    // It comes by an alias or a merge: what holds it is written anew.
+    // It comes from an alias or a merge: the entry that contains it is rewritten.
     YamlPath path = step.path;
     while (!path.empty() && !splicer.has(path)) path.pop_back();
     const Value* value = valueAt(expected_, path);
@@ -182,7 +182,7 @@ std::string editOne(const std::string& text, const std::string& origin, const Ya
     try {
       return editor.rewrite(
           text, {change.path.begin(), change.path.begin() + static_cast<std::ptrdiff_t>(length)});
-    } catch (const Error&) {  // then the entry around it
+    } catch (const Error&) {  // try the entry around it
     }
   }
   throw Error(pathText(change.path) + ": cannot be changed in this text (" + reason +

@@ -15,7 +15,7 @@
 namespace synthetic_dataset::base {
 namespace {
 
-/// Builds the tree of what begins where: yaml-cpp knows no ends.
+/// Builds the tree with the begins of its parts: yaml-cpp does not report their ends.
 class OutlineBuilder : public YAML::EventHandler {
  public:
   explicit OutlineBuilder(std::size_t shift) : shift_(shift) {}
@@ -48,7 +48,7 @@ class OutlineBuilder : public YAML::EventHandler {
  private:
   struct Open {
     YamlPart part;
-    std::optional<YamlEntry> begun;  ///< of a map: its name is there, its value is not
+    std::optional<YamlEntry> begun;  ///< in a map: an entry whose name is known but not its value
   };
 
   [[nodiscard]] YamlPart part(YamlPart::Kind kind, const YAML::Mark& mark,
@@ -93,12 +93,12 @@ class OutlineBuilder : public YAML::EventHandler {
   std::vector<Open> open_;
 };
 
-/// Finds the ends.
+/// Finds the ends of the parts.
 class EndFinder {
  public:
   explicit EndFinder(const std::string& text) : text_(text), scan_(text) {}
 
-  /// @param indentation  of the block list or map that it is in; -1: of none
+  /// @param indentation  of the block list or map that it is in; -1 if it is in none
   void finish(YamlPart& part, std::ptrdiff_t indentation, bool in_flow) {
     part.content = scan_.afterProperties(part.begin);
     if (part.kind == YamlPart::Kind::kScalar) {
@@ -131,7 +131,7 @@ class EndFinder {
     part.end = cursor + 1;
   }
 
-  /// Also a map of one entry within a flow list, which needs no brackets: [a: 1].
+  /// Also handles a map of one entry within a flow list, which needs no brackets: [a: 1].
   void finishBlock(YamlPart& part, bool in_flow) {
     part.is_flow = in_flow;
     const auto column = static_cast<std::ptrdiff_t>(scan_.column(part.content));
@@ -170,8 +170,8 @@ class EndFinder {
     return value.end;
   }
 
-  /// Nothing may be written as null or ~, have an anchor, or not be there at all, in which case its
-  /// mark is that of whatever comes next.
+  /// A null may be written as null or ~, have an anchor, or be absent, in which case its mark is
+  /// that of whatever comes next.
   void finishNothing(YamlPart& value, std::size_t indicator) const {
     const std::size_t word = std::min(text_.find_first_not_of(" \t", indicator), text_.size());
     const bool is_written = word == value.begin && word < text_.size() &&

@@ -17,7 +17,7 @@ bool hasControls(const std::string& text) {
   return std::any_of(text.begin(), text.end(), isControl);
 }
 
-/// Whether YAML reads a text as itself when it has no quotes.
+/// Whether YAML reads a text as itself if it has no quotes.
 bool isPlain(const std::string& text, bool in_flow) {
   static const std::set<std::string> kNothing = {"", "~", "null", "Null", "NULL", "<<"};
   if (kNothing.count(text) != 0 || hasControls(text)) return false;
@@ -26,7 +26,7 @@ bool isPlain(const std::string& text, bool in_flow) {
   if (decimalNumber(text)) return false;  // 1e5 is a text for PyYAML, and a number for people
   if (std::string("-?:,[]{}#&*!|>'\"%@`= ").find(text.front()) != std::string::npos) return false;
   if (text.back() == ' ' || text.back() == ':') return false;
-  // What a substitution puts in may need quotes.
+  // The result of a substitution may need quotes.
   if (text.find("$(") != std::string::npos) return false;
   if (text.find(": ") != std::string::npos || text.find(" #") != std::string::npos) return false;
   if (text.rfind("...", 0) == 0) return false;
@@ -90,7 +90,7 @@ std::string scalarLike(const Value& value, const std::string& earlier, bool in_f
     if (earlier.front() == '\'' && !hasControls(*text)) return singleQuoted(*text);
     if (earlier.front() == '"') return jsonText(value);
   }
-  // Programs without whole numbers write 3 for 3.0.
+  // Programs without integers write 3 for 3.0.
   const auto* whole = value.as<std::int64_t>();
   if (whole != nullptr && plainScalar(earlier).is<double>()) {
     return jsonText(Value(static_cast<double>(*whole)));

@@ -105,8 +105,8 @@ std::size_t YamlScan::quotedEnd(std::size_t offset) const {
   return text_.size();
 }
 
-/// A text behind `|` or `>`: all lines that are indented deeper, and empty lines between them, or,
-/// if it keeps them (`|+`), behind them.
+/// The end of a text after `|` or `>`: it contains all lines that are indented deeper, with empty
+/// lines between them and, if it keeps those (`|+`), after them.
 std::size_t YamlScan::literalEnd(std::size_t offset, std::ptrdiff_t indentation) const {
   std::size_t end = lineEnd(offset);
   const bool keeps =
@@ -124,7 +124,7 @@ std::size_t YamlScan::literalEnd(std::size_t offset, std::ptrdiff_t indentation)
   return end;
 }
 
-/// A text without quotes may go on in further lines, if they are indented deeper or within
+/// A text without quotes may continue on further lines if they are indented deeper or within
 /// brackets.
 std::size_t YamlScan::plainEnd(std::size_t offset, std::ptrdiff_t indentation, Place place) const {
   std::size_t end = offset;

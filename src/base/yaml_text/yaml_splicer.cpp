@@ -14,7 +14,7 @@ bool isBlockCollection(const YamlPart& part) {
   return !part.is_flow && (part.kind == YamlPart::Kind::kList || part.kind == YamlPart::Kind::kMap);
 }
 
-/// The value that a path's end makes of what is missing of it.
+/// Wraps a value in the levels of the path from `from` on.
 Value nested(const YamlPath& path, std::size_t from, const Value& value) {
   Value tree;
   const YamlPath rest(path.begin() + static_cast<std::ptrdiff_t>(from), path.end());
@@ -22,8 +22,8 @@ Value nested(const YamlPath& path, std::size_t from, const Value& value) {
   return tree;
 }
 
-/// Behind which of a map's entries a new one belongs: the nearest one before it in the usual order,
-/// else the last.
+/// The index at which a new entry belongs in a map: after the nearest one before it in the usual
+/// order, else at the end.
 std::size_t indexFor(const YamlPart& map, const std::string& name,
                      const std::vector<std::string>& order) {
   const auto rank = [&](const std::string& each) {
@@ -62,7 +62,7 @@ std::string spliced(const std::string& text, std::vector<Splice> splices) {
   std::string result;
   std::size_t done = 0;
   for (const Splice& each : splices) {
-    if (each.begin < done) continue;  // within one that was replaced already
+    if (each.begin < done) continue;  // within a piece that was already replaced
     result += text.substr(done, each.begin - done) + each.text;
     done = each.end;
   }
@@ -144,7 +144,7 @@ Splice YamlSplicer::replaceInFlow(const YamlEntry& entry, const Value& value) co
   return {entry.indicator, entry.indicator, (has_colon ? " " : ": ") + text};
 }
 
-/// A value in one line. A comment behind the name stays there.
+/// Replaces by a value on one line. A comment after the name stays there.
 Splice YamlSplicer::replaceByLine(const YamlEntry& entry, const std::string& line) const {
   const YamlPart& old = entry.value;
   if (old.end == old.begin) return {entry.indicator, entry.indicator, " " + line};
@@ -243,7 +243,7 @@ Splice YamlSplicer::insertInto(const YamlPart& parent, std::size_t index, const 
     const std::size_t at = parent.entries.front().begin;
     return {at, at, text + line};
   }
-  // Behind comments that are indented deeper: they are of the entry before.
+  // After comments that are indented deeper: they belong to the entry before.
   std::size_t at = scan_.lineEnd(parent.entries[index - 1].value.end);
   for (std::size_t next = scan_.nextLine(at); next < text_.size(); next = scan_.nextLine(next)) {
     const std::size_t word = text_.find_first_not_of(' ', next);
@@ -274,7 +274,7 @@ Splice YamlSplicer::remove(const YamlPath& path) const {
     return replaceByLine(found.entry(), is_map ? "{}" : "[]");
   }
   if (is_alone) return {line_begin, scan_.nextLine(entry.value.end), ""};
-  // The first one behind a dash: the next one takes its place.
+  // The first entry after a dash: the next one takes its place.
   if (index + 1 == parent.entries.size()) throw Error(pathText(path) + ": cannot be taken out");
   return {entry.begin, parent.entries[index + 1].begin, ""};
 }

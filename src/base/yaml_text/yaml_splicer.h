@@ -12,10 +12,10 @@
 
 namespace synthetic_dataset::base {
 
-/// The names of a group in the order in which they are usually written; empty: not known.
+/// The names of a group in the order in which they are usually written; empty if not known.
 using NameOrder = std::function<std::vector<std::string>(const YamlPath& group)>;
 
-/// A piece of a text that another one replaces.
+/// A piece of a text and its replacement.
 struct Splice {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -25,26 +25,26 @@ struct Splice {
 /// @param splices  which do not overlap
 [[nodiscard]] std::string spliced(const std::string& text, std::vector<Splice> splices);
 
-/// Finds which pieces of a YAML text to replace so that its tree changes; comments, order and
-/// layout of all else stay. Whether the result says what it should is for the caller to check.
+/// Finds the pieces of a YAML text to replace in order to change its tree; comments, order and
+/// layout of all else stay. The caller must check that the result means what it should.
 class YamlSplicer {
  public:
-  /// @param text  has to outlive this
+  /// @param text  must outlive this object
   /// @throws Error as outlineYaml
   YamlSplicer(const std::string& text, const std::string& origin);
 
-  /// Whether the text has a value at this path that is not empty and comes from no alias or merge.
+  /// Whether the text itself has an entry at this path, not one from an alias or a merge.
   [[nodiscard]] bool has(const YamlPath& path) const;
 
   /// Replaces the value at a path.
   [[nodiscard]] Splice replace(const YamlPath& path, const Value& value) const;
 
-  /// Adds what is not there, in the deepest group of its path that is.
-  /// @param expected  what the whole text is to say, for values that are aliases there
+  /// Adds a missing entry to the deepest existing group of its path.
+  /// @param expected  the tree that the whole text should have, for values that are aliases there
   [[nodiscard]] Splice insert(const YamlPath& path, const Value& expected,
                               const NameOrder& order) const;
 
-  /// Removes an entry, or the group of which it is the only one.
+  /// Removes an entry, or the group of which it is the only entry.
   [[nodiscard]] Splice remove(const YamlPath& path) const;
 
   /// Replaces aliases elsewhere that refer to the value at a path, or to a part of it, by that

@@ -15,16 +15,16 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Recorders make chunks of 768 KiB and a message; librosbag's buffers end at 4 GiB.
+/// Recorders write chunks of 768 KiB plus a message; librosbag's buffers are limited to 4 GiB.
 constexpr std::uint64_t kLargestChunk = std::uint64_t{1} << 30U;
-/// bzip2 makes a block of 900,000 equal bytes one of 40; LZ4 is farther from it.
+/// bzip2 compresses a block of 900,000 equal bytes to 40; LZ4's largest ratio is far smaller.
 constexpr std::uint64_t kLargestRatio = 50000;
 
 void require(const BagHeader& header, std::uint64_t operation, const std::string& what) {
   if (header.operation() != operation) throw Error("a record should be " + what + " and is not");
 }
 
-/// Moves behind the message at the place, in version 1.2 with its type's definition before it.
+/// Moves past the message at the place; in version 1.2, its type's definition may precede it.
 void passMessage(BagBytes& bytes, std::uint64_t place) {
   constexpr int kMostDefinitions = 16;
   bytes.goTo(place);
@@ -38,8 +38,8 @@ void passMessage(BagBytes& bytes, std::uint64_t place) {
   bytes.skip(length);
 }
 
-/// Checks messages at these places, the last of which ends where `end` says at most. Messages that
-/// share bytes would make a small file a large recording.
+/// Checks the messages at these places, none of which may end after `end`. Messages that overlapped
+/// would turn a small file into a large recording.
 void checkMessages(BagBytes& bytes, std::vector<std::uint64_t> places, std::uint64_t end) {
   std::sort(places.begin(), places.end());
   std::uint64_t free = 0;
@@ -51,7 +51,8 @@ void checkMessages(BagBytes& bytes, std::vector<std::uint64_t> places, std::uint
   }
 }
 
-/// Decompressed over bytes of 255, which no record's header or length can hold.
+/// Decompresses into a buffer filled with 255, a byte that no record's header or length can consist
+/// of.
 std::string decompressed(const std::string& bytes, rosbag::CompressionType compression,
                          std::uint64_t size, char fill = '\xFF') {
   std::string source = bytes;
@@ -66,7 +67,7 @@ std::string decompressed(const std::string& bytes, rosbag::CompressionType compr
   return result;
 }
 
-/// Version 2.0.
+/// Checks bags of version 2.0.
 class Check {
  public:
   Check(BagBytes& file, const TopicFilter& is_read) : file_(file), is_read_(is_read) {}
@@ -100,12 +101,13 @@ class Check {
 
   struct Chunk {
     std::string compression;
-    std::uint64_t data = 0;  ///< place of its content in the file
+    std::uint64_t data = 0;  ///< offset of its content in the file
     std::uint64_t bytes = 0;
     std::uint64_t uncompressed_bytes = 0;
   };
 
-  /// By record time, as librosbag shows them; of equal times the one that was indexed first.
+  /// Sorts by record time, in the order in which librosbag returns messages; equal times stay in
+  /// the order of the index.
   MessagePlaces sortedPlaces() {
     MessagePlaces sorted;
     for (auto& [connection, entries] : places_) {
@@ -121,7 +123,7 @@ class Check {
     const BagHeader header = file_.header();
     require(header, kConnection, "a connection");
     topics_.emplace(header.number("conn", 4), header.text("topic"));
-    static_cast<void>(file_.header());  // the publisher's
+    static_cast<void>(file_.header());  // the publisher's header
   }
 
   void readChunkInfo() {
@@ -133,12 +135,12 @@ class Check {
     const std::uint64_t count = header.number("count", 4);
     for (std::uint64_t i = 0; i < count; ++i) {
       info.connections.insert(file_.number(4));
-      file_.skip(4);  // how many messages
+      file_.skip(4);  // number of messages
     }
     infos_.push_back(std::move(info));
   }
 
-  /// @return where it ends, with its indices
+  /// @return where the chunk ends, including its indices
   std::uint64_t checkChunk(const ChunkInfo& info) {
     file_.goTo(info.place);
     const BagHeader header = file_.header();
@@ -156,7 +158,7 @@ class Check {
     return end;
   }
 
-  /// Adds where the messages are that are going to be read.
+  /// Adds the offsets of the messages that are going to be read.
   void readIndex(std::vector<std::uint64_t>& offsets) {
     const BagHeader header = file_.header();
     require(header, kIndexData, "an index");
@@ -220,13 +222,13 @@ class Check {
   const TopicFilter& is_read_;
   std::map<std::uint64_t, std::string> topics_;  ///< by connection
   std::vector<ChunkInfo> infos_;
-  std::uint64_t chunk_ = 0;  ///< number of the one that is read
+  std::uint64_t chunk_ = 0;  ///< number of the chunk being read
   /// Record times and places of messages that are going to be read, by connection.
   std::map<std::uint32_t, std::vector<std::pair<std::uint64_t, MessagePlace>>> places_;
 };
 
-/// Version 1.2 (http://wiki.ros.org/Bags/Format/1.2): messages lie in the file itself, and an index
-/// for each topic follows them.
+/// Checks bags of version 1.2 (http://wiki.ros.org/Bags/Format/1.2): messages lie in the file
+/// itself, followed by an index for each topic.
 class OldCheck {
  public:
   explicit OldCheck(BagBytes& file) : file_(file) {}
@@ -251,7 +253,7 @@ class OldCheck {
     file_.skip(4);
     constexpr std::uint64_t kEntry = 16;  // [byte]: seconds, nanoseconds, place
     const std::string entries = file_.take(kEntry * index.number("count", 4));
-    std::map<std::uint64_t, std::uint64_t> place_at;  // the first of each time, as librosbag sorts
+    std::map<std::uint64_t, std::uint64_t> place_at;  // the first of each time, as in librosbag
     for (std::size_t at = 0; at < entries.size(); at += kEntry) {
       const std::string_view entry = std::string_view(entries).substr(at, kEntry);
       constexpr std::uint64_t kSecond = 1000000000;  // [ns]
@@ -278,7 +280,7 @@ MessagePlaces checkBag(const std::string& file, const TopicFilter& is_read) {
   if (!is_old && version != "#ROSBAG V2.0\n") throw Error("its first line is damaged");
   const BagHeader header = bytes.header();
   require(header, kFileHeader, "the file's header");
-  if (header.number("index_pos", 8) == 0) return {};  // none
+  if (header.number("index_pos", 8) == 0) return {};  // there is no index
   if (!is_old) return Check(bytes, is_read).run(header);
   OldCheck(bytes).run(header);
   return {};

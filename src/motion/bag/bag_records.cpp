@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kLength = 4;  // [byte] of a length
 
-/// [byte]; librosbag takes fields of up to 1,000,000, among which are definitions of types.
+/// [byte]; librosbag accepts fields of up to 1,000,000, which include type definitions.
 constexpr std::uint64_t kLongestHeader = 16U << 20U;
 
 }  // namespace

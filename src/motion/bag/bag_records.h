@@ -9,20 +9,20 @@
 namespace synthetic_dataset::motion {
 
 /// The header of a bag's record (http://wiki.ros.org/Bags/Format/2.0): fields `name=value`, each
-/// behind its length.
+/// preceded by its length.
 class BagHeader {
  public:
   BagHeader() = default;
 
-  /// @throws Error where a length leads beyond the header's end
+  /// @throws Error if a length leads beyond the header's end
   explicit BagHeader(std::string_view bytes);
 
   [[nodiscard]] bool has(const std::string& name) const { return fields_.count(name) != 0; }
-  /// @throws Error where the field is missing
+  /// @throws Error if the field is missing
   [[nodiscard]] const std::string& text(const std::string& name) const;
-  /// A number, little end first. @throws Error where the field is missing or of another size
+  /// A little-endian number. @throws Error if the field is missing or of another size
   [[nodiscard]] std::uint64_t number(const std::string& name, std::size_t bytes) const;
-  /// The kind of record. @throws Error where it has none
+  /// The kind of record. @throws Error if it has none
   [[nodiscard]] std::uint64_t operation() const { return number("op", 1); }
 
  private:
@@ -30,7 +30,7 @@ class BagHeader {
 };
 
 /// Kinds of records.
-inline constexpr std::uint64_t kMessageDefinition = 0x01;  ///< of version 1.2 alone
+inline constexpr std::uint64_t kMessageDefinition = 0x01;  ///< only in version 1.2
 inline constexpr std::uint64_t kMessageData = 0x02;
 inline constexpr std::uint64_t kFileHeader = 0x03;
 inline constexpr std::uint64_t kIndexData = 0x04;
@@ -38,10 +38,11 @@ inline constexpr std::uint64_t kChunk = 0x05;
 inline constexpr std::uint64_t kChunkInfo = 0x06;
 inline constexpr std::uint64_t kConnection = 0x07;
 
-/// A number of a bag, little end first; the bytes have to be there.
+/// A little-endian number in a bag; all of its bytes have to be there.
 [[nodiscard]] std::uint64_t littleEndian(std::string_view bytes);
 
-/// Bytes with numbers and headers among them. Methods throw Error where they end too early.
+/// A cursor over bytes that contain numbers and headers. Methods throw Error if the bytes end too
+/// early.
 class BagBytes {
  public:
   virtual ~BagBytes() = default;
@@ -55,11 +56,11 @@ class BagBytes {
   void skip(std::uint64_t bytes);
   [[nodiscard]] std::string take(std::uint64_t bytes);
   [[nodiscard]] std::uint64_t number(std::size_t bytes) { return littleEndian(take(bytes)); }
-  /// A header behind its length.
+  /// A header, preceded by its length.
   [[nodiscard]] BagHeader header();
 
  private:
-  /// The bytes are there.
+  /// Reads bytes that are known to exist.
   virtual void read(std::uint64_t from, std::string& into) = 0;
 
   std::uint64_t place_ = 0;

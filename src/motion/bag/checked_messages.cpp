@@ -8,9 +8,9 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// A list's length is the number that comes next.
-/// @param least  bytes that an entry has at least
-/// @return how many entries it has
+/// Reads and checks a list's length, which is the next number.
+/// @param least  smallest size of an entry [byte]
+/// @return the number of entries
 std::uint32_t checkList(ros::serialization::IStream& stream, std::uint32_t least,
                         const std::string& name) {
   std::uint32_t count = 0;
@@ -20,7 +20,7 @@ std::uint32_t checkList(ros::serialization::IStream& stream, std::uint32_t least
               " entries, more than its bytes can hold");
 }
 
-/// Moves behind a list of texts.
+/// Moves past a list of texts.
 void passTexts(ros::serialization::IStream& stream, const std::string& name) {
   const std::uint32_t count = checkList(stream, sizeof(std::uint32_t), name);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ void passTexts(ros::serialization::IStream& stream, const std::string& name) {
   }
 }
 
-/// Moves behind a list of entries of a fixed size.
+/// Moves past a list of entries of a fixed size.
 void passList(ros::serialization::IStream& stream, std::uint32_t size, const std::string& name) {
   stream.advance(checkList(stream, size, name) * size);
 }
@@ -38,7 +38,7 @@ void passList(ros::serialization::IStream& stream, std::uint32_t size, const std
 }  // namespace
 
 void checkLists(ros::serialization::IStream stream, const RecordedTransforms& /*kind*/) {
-  // Two names' lengths, a sequence number, a time, seven numbers.
+  // The lengths of two names, a sequence number, a time, and seven numbers.
   constexpr std::uint32_t kLeast = 4 + 4 + 4 + 8 + 7 * 8;
   static_cast<void>(checkList(stream, kLeast, "transforms"));
 }
@@ -93,7 +93,7 @@ void checkLists(ros::serialization::IStream stream, const RecordedImageFile& /*k
 }
 
 void checkLists(ros::serialization::IStream stream, const RecordedCloud& /*kind*/) {
-  // A name's length, an offset, a type, a count.
+  // The length of a name, an offset, a type, and a count.
   constexpr std::uint32_t kLeast = 4 + 4 + 1 + 4;
   std_msgs::Header header;
   stream.next(header);

@@ -13,8 +13,8 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 
-/// Messages as bags hold them, whose lists are held against the bytes that there are before roscpp
-/// makes room for as much as they claim. What is wrong throws Error.
+/// Messages as stored in bags, whose list lengths are checked against the available bytes before
+/// roscpp allocates as much as they claim. Wrong lengths throw Error.
 namespace synthetic_dataset::motion {
 
 template <class Message>
@@ -30,7 +30,8 @@ using RecordedImage = Checked<sensor_msgs::Image>;
 using RecordedImageFile = Checked<sensor_msgs::CompressedImage>;
 using RecordedCloud = Checked<sensor_msgs::PointCloud2>;
 
-/// What gazebo_msgs/ModelStates and gazebo_msgs/LinkStates hold alike, without their velocities.
+/// The common content of gazebo_msgs/ModelStates and gazebo_msgs/LinkStates, without the
+/// velocities.
 struct RecordedStates {
   std::vector<std::string> names;
   std::vector<geometry_msgs::Pose> poses;  ///< in Gazebo's world
@@ -40,8 +41,8 @@ struct RecordedStates {
 };
 
 /// Checks a message's lists.
-/// @param stream  at the message's beginning
-/// @param kind  says its type
+/// @param stream  at the start of the message
+/// @param kind  selects the message's type
 void checkLists(ros::serialization::IStream stream, const RecordedTransforms& kind);
 void checkLists(ros::serialization::IStream stream, const RecordedCalibration& kind);
 void checkLists(ros::serialization::IStream stream, const RecordedGrid& kind);

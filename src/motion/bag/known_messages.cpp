@@ -25,8 +25,8 @@ namespace {
 
 /// The types that are read and all types in them, as ROS 2's packages define them since Dashing
 /// (https://github.com/ros2/common_interfaces, rcl_interfaces and geometry2; gazebo_msgs of
-/// https://github.com/ros-simulation/gazebo_ros_pkgs). But for std_msgs/Header, which has a number
-/// more in ROS 1, the fields are ROS 1's.
+/// https://github.com/ros-simulation/gazebo_ros_pkgs). The fields are those of ROS 1, except that
+/// std_msgs/Header has an additional number in ROS 1.
 constexpr const char* kDefinitions = R"(
 MSG: builtin_interfaces/Time
 int32 sec
@@ -193,7 +193,7 @@ using KnownMessages = std::map<std::string, KnownMessage>;
 
 template <class Message>
 void add(const std::string& type, KnownMessages& messages) {
-  // The definitions begin within no type.
+  // The definitions do not begin inside a type.
   messages[type] = {ros::message_traits::MD5Sum<Message>::value(),
                     parseLayout(type, std::string("====") + kDefinitions)};
 }

@@ -12,7 +12,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Where a message is: the `rank`-th of its topic that was recorded then.
+/// Where a message is: the `rank`-th of its topic with that record time, from 0.
 struct IndexedPlace {
   std::size_t bag = 0;
   Stamp recorded{0};
@@ -25,9 +25,9 @@ struct FoundMessage {
   IndexedPlace place;
 };
 
-/// Refuses stamps that go back, as then two messages of different moments may have the same stamp.
+/// Rejects stamps that go back, as then messages of two different moments may have the same stamp.
 void checkOrder(std::vector<FoundMessage>& found, const std::string& noun) {
-  constexpr Duration kLate = std::chrono::seconds(1);  // what only came late
+  constexpr Duration kLate = std::chrono::seconds(1);  // tolerated: such messages are merely late
   std::stable_sort(found.begin(), found.end(), [](const FoundMessage& a, const FoundMessage& b) {
     return a.place.recorded < b.place.recorded;
   });
@@ -79,7 +79,7 @@ struct MessageIndex::Impl {
     }
   }
 
-  /// @return whether it is there
+  /// @return whether the message is still there
   bool show(const IndexedPlace& place, const std::function<void(const BagMessage& message)>& see) {
     const std::lock_guard<std::mutex> lock(mutex);
     auto& bag = bags[place.bag];
@@ -98,9 +98,9 @@ struct MessageIndex::Impl {
 
   std::vector<std::string> files;
   std::string topic;
-  std::map<std::size_t, std::set<std::string>> names;  ///< of the topic, by bag
+  std::map<std::size_t, std::set<std::string>> names;  ///< the topic's names, by bag
   std::vector<std::size_t> order;
-  std::vector<IndexedPlace> places;  ///< of order
+  std::vector<IndexedPlace> places;  ///< in the order of `order`
   std::int64_t repeated = 0;
   std::mutex mutex;
   std::map<std::size_t, std::unique_ptr<Bag>> bags;  ///< those that were opened

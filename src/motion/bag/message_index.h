@@ -14,29 +14,29 @@
 
 namespace synthetic_dataset::motion {
 
-/// Where the messages of a topic are in bags that count as one recording, by the stamps of their
-/// headers.
+/// An index of a topic's messages in bags that count as one recording, by the stamps in the
+/// messages' headers.
 class MessageIndex {
  public:
-  /// Looks at a message, and says which stamp it has.
+  /// Looks at a message, and returns its stamp.
   using Look = std::function<Stamp(const BagMessage& message)>;
 
   /// Looks at all messages of the topic, in the order in which they were recorded.
   /// @param bag_files  bags that can be read
-  /// @param noun  what a message is, for messages to the user: "picture"
-  /// @throws Error when no bag has such a topic, it has messages of another type, its messages have
-  ///     no stamps, or their time goes back
+  /// @param noun  what a message contains, for messages to the user: "picture"
+  /// @throws Error if no bag has such a topic, its messages are of another type or have no stamps,
+  ///     or their stamps go back in time
   MessageIndex(const std::vector<std::string>& bag_files, const std::string& topic,
                const std::string& noun, TopicSearch search, const Look& look);
   ~MessageIndex();
   MessageIndex(MessageIndex&&) noexcept;
   MessageIndex& operator=(MessageIndex&&) noexcept;
 
-  /// How many were left out since they have the stamp of another one.
+  /// The number of messages left out because they have the stamp of another one.
   [[nodiscard]] std::int64_t repeatedCount() const;
 
-  /// What was noted of each message that was looked at, as the messages are here: by their stamps,
-  /// of equal ones the first that was recorded.
+  /// Sorts what was noted about each message into the order of this index: by stamp, with only the
+  /// first recorded message of equal stamps.
   template <class Noted>
   [[nodiscard]] std::vector<Noted> inOrder(std::vector<Noted> looked_at) const {
     std::vector<Noted> ordered;
@@ -44,31 +44,32 @@ class MessageIndex {
     return ordered;
   }
 
-  /// Shows a message again, in any thread.
-  /// @throws Error naming the bag that cannot be read any more
+  /// Reads a message again and passes it to `see`. May be called in any thread.
+  /// @throws Error naming the bag, if it cannot be read any more
   void read(std::size_t index, const std::function<void(const BagMessage& message)>& see) const;
 
  private:
-  /// Which of the messages that were looked at is here.
+  /// For each message of the index, its number among those that were looked at.
   [[nodiscard]] const std::vector<std::size_t>& order() const;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// The messages of a topic, with what is known of each without keeping its content.
-/// @tparam Head  what that is, among it the message's `stamp`
+/// The messages of a topic, with a summary of each instead of its content.
+/// @tparam Head  the summary; has the message's `stamp`
 template <class Head>
 class RecordedMessages {
  public:
-  /// All of them in order of stamp, the first recorded one of equal stamps; at least one.
+  /// All messages in the order of their stamps, only the first recorded one of equal stamps; at
+  /// least one.
   [[nodiscard]] const std::vector<Head>& heads() const { return heads_; }
 
-  /// How many were left out since they have the stamp of another one.
+  /// The number of messages left out because they have the stamp of another one.
   [[nodiscard]] std::int64_t repeatedCount() const { return index_.repeatedCount(); }
 
  protected:
-  /// @param head_of  looks at a message; all else as MessageIndex has it
+  /// @param head_of  makes a message's summary; the other parameters are those of MessageIndex
   RecordedMessages(const std::vector<std::string>& bag_files, const std::string& topic,
                    const std::string& noun, TopicSearch search,
                    const std::function<Head(const BagMessage& message)>& head_of)
@@ -79,7 +80,7 @@ class RecordedMessages {
     heads_ = index_.inOrder(std::move(heads_));
   }
 
-  /// Shows a message of heads() again, as MessageIndex does.
+  /// Reads a message of heads() again, see MessageIndex::read().
   void show(std::size_t index, const std::function<void(const BagMessage& message)>& see) const {
     index_.read(index, see);
   }

@@ -24,7 +24,7 @@ std::string reindexAdvice(const std::string& file) {
   return "; `rosbag reindex " + file + "` mends a bag whose recording was cut off";
 }
 
-/// Checks what librosbag's own messages leave unsaid.
+/// Checks for faults that librosbag's own messages do not explain.
 void checkIsBag(const std::string& file) {
   std::ifstream stream = base::openInput(file);
   // http://wiki.ros.org/Bags/Format: every bag starts with "#ROSBAG V2.0\n" (V1.2: an older one).
@@ -45,7 +45,7 @@ void checkIsBag(const std::string& file) {
   }
 }
 
-/// Does what reads a bag.
+/// Runs something that reads a bag.
 /// @throws Error that names the bag
 template <class Read>
 auto reading(const std::string& file, const Read& read) -> decltype(read()) {
@@ -101,12 +101,12 @@ class Ros1Messages : public BagMessages {
     MessagePlace place = 0;
   };
   struct Connection {
-    std::vector<Arrival> arrivals;  ///< of its messages, in the order of the view
+    std::vector<Arrival> arrivals;  ///< of its messages, in the view's order
     std::size_t next = 0;
   };
 
-  /// Orders the messages as they lie in the file: the record time of each is at least that of those
-  /// before it.
+  /// Finds when each message arrived, by the order in the file: `not_before` never decreases in
+  /// that order.
   void findArrivals(const MessagePlaces& places) {
     struct Message {
       Connection* connection;
@@ -118,7 +118,7 @@ class Ros1Messages : public BagMessages {
       const auto found = places.find(connection->id);
       if (found != places.end()) places_of[connection->header.get()] = &found->second;
     }
-    MessagePlace in_view = 0;  // where a bag of version 1.2 does not say more
+    MessagePlace in_view = 0;  // for bags of version 1.2, which do not give the places
     for (const rosbag::MessageInstance& message : view_) {
       const void* header = message.getConnectionHeader().get();
       Connection& connection = connections_[header];
@@ -152,7 +152,7 @@ struct CloseBag {
   }
 };
 
-/// Opens a bag, with the plugin that decrypts it.
+/// Opens a bag, which may load the plugin that decrypts it.
 std::unique_ptr<rosbag::Bag, CloseBag> openedBag(const std::string& file) {
   const std::lock_guard<std::mutex> lock(base::pluginMutex());
   return std::unique_ptr<rosbag::Bag, CloseBag>(new rosbag::Bag(file));
@@ -175,7 +175,7 @@ class Ros1Bag : public Bag {
   [[nodiscard]] std::unique_ptr<BagMessages> messages(const TopicFilter& is_read,
                                                       std::optional<Stamp> recorded) override {
     return reading(file_, [&]() -> std::unique_ptr<BagMessages> {
-      // One message is looked for again after all of its topic were checked.
+      // A search for a single message follows a check of all messages of its topic.
       const MessagePlaces places = recorded ? MessagePlaces{} : checkBag(file_, is_read);
       return std::make_unique<Ros1Messages>(*bag_, is_read, recorded, places);
     });

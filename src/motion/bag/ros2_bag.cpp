@@ -43,7 +43,7 @@ bool hasBagInside(const fs::path& folder) {
   return false;
 }
 
-/// Why a topic's messages cannot be read though their type is known; or nothing.
+/// Why a topic's messages cannot be read although their type is known; or nothing.
 std::string problemOf(const StoredTopic& topic, const KnownMessage& known) {
   if (topic.encoding != "cdr") {
     return "its messages have the encoding '" + topic.encoding + "'; 'cdr' can be read";
@@ -58,16 +58,16 @@ std::string problemOf(const StoredTopic& topic, const KnownMessage& known) {
   }
 }
 
-/// In the order of record times.
+/// A message of the bag; entries are sorted by record time.
 struct Entry {
   Stamp recorded{0};
-  std::uint64_t number = 0;  ///< of the message, in the order in which they were written
+  std::uint64_t number = 0;  ///< of the message, in the order of writing
   std::uint64_t place = 0;   ///< in its file
   std::uint32_t file = 0;
   std::uint32_t topic = 0;
 };
 
-/// A message to be shown.
+/// A message to be returned.
 struct Shown {
   std::size_t entry = 0;
   Stamp not_before{0};
@@ -116,7 +116,7 @@ class Ros2Bag : public Bag {
  private:
   void add(const std::string& file) {
     const std::string within =
-        file == path_ ? "" : fs::path(file).filename().string() + " ";  // of the folder
+        file == path_ ? "" : fs::path(file).filename().string() + " ";  // in the folder
     try {
       storages_.push_back(openStorage(file));
     } catch (const Error& error) {
@@ -135,7 +135,7 @@ class Ros2Bag : public Bag {
     storages_.back().topics = {};
   }
 
-  /// Among topics_.
+  /// The topic's index in topics_; adds it if it is new.
   std::uint32_t indexOf(const StoredTopic& stored) {
     const std::string type = ros1TypeOf(stored.type);
     const KnownMessage* const known = knownMessage(type);
@@ -156,7 +156,7 @@ class Ros2Bag : public Bag {
     return static_cast<std::uint32_t>(topics_.size() - 1);
   }
 
-  /// Those that have messages, as a bag of ROS 1 has no others.
+  /// Only topics that have messages, as a bag of ROS 1 has no others.
   void sortTopics() {
     std::vector<bool> has_messages(topics_.size());
     for (const Entry& each : entries_) has_messages[each.topic] = true;
@@ -221,7 +221,7 @@ std::unique_ptr<BagMessages> Ros2Bag::messages(const TopicFilter& is_read,
     if (!are_read[entry->topic]) continue;
     shown.push_back({static_cast<std::size_t>(entry - entries_.begin()), entry->recorded});
   }
-  // The record time of each is at least that of those that were written before it.
+  // `not_before` never decreases in the order in which messages were written.
   std::vector<Shown*> written;
   for (Shown& each : shown) written.push_back(&each);
   std::sort(written.begin(), written.end(), [&](const Shown* a, const Shown* b) {

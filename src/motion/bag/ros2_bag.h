@@ -8,14 +8,15 @@
 
 namespace synthetic_dataset::motion {
 
-/// Whether a file or folder is a bag of ROS 2: an SQLite database, a file of MCAP, one of these
-/// that is compressed, or a folder with such files or with the metadata of rosbag2.
+/// Whether a file or folder is a bag of ROS 2: an SQLite database, an MCAP file, a compressed one
+/// of these, or a folder with such files or with rosbag2's metadata.
 [[nodiscard]] bool isRos2Bag(const std::string& path);
 
-/// The files of a bag: of one of ROS 2 in a folder, those in it with their metadata; else the path.
+/// The files of a bag: for a ROS 2 bag folder, the files in it and their metadata; otherwise the
+/// path itself.
 [[nodiscard]] std::vector<std::string> filesOfBag(const std::string& path);
 
-/// Opens a bag of ROS 2. Its messages are shown as ROS 1 serialises them.
+/// Opens a bag of ROS 2. Its messages are returned in ROS 1's serialisation.
 /// @throws Error as openBag() does
 [[nodiscard]] std::unique_ptr<Bag> openRos2Bag(const std::string& path);
 

@@ -11,7 +11,7 @@
 
 namespace synthetic_dataset::motion {
 
-/// Whether `ros::Time` can hold it as a time of its own: zero means "the latest" to tf2.
+/// Whether `ros::Time` can hold it as an actual time: zero means "the latest" to tf2.
 [[nodiscard]] inline bool isRosTime(Stamp stamp) {
   constexpr Stamp kEnd = std::chrono::seconds(std::numeric_limits<std::uint32_t>::max());
   return stamp > Stamp{0} && stamp < kEnd;

@@ -10,10 +10,11 @@
 
 namespace synthetic_dataset::motion {
 
-/// Looks for a topic's messages in one bag after another, and remembers what there is instead.
+/// Looks for a topic's messages in one bag after another, and remembers similar topics in case
+/// there are none.
 class TopicSearch {
  public:
-  /// For messages of one of these types.
+  /// Makes a search for messages of one of these types.
   /// @param topic  with or without a leading slash
   template <class... Messages>
   [[nodiscard]] static TopicSearch of(const std::string& topic) {
@@ -22,12 +23,13 @@ class TopicSearch {
               ros::message_traits::DataType<Messages>::value()}...}};
   }
 
-  /// Shows a bag's messages of the topic, in the order of their times; nothing when it has none.
-  /// @param see  what it throws is an Error that names the bag
-  /// @throws Error naming the bag when it cannot be read
+  /// Passes a bag's messages of the topic to `see`, in the order of their record times; does
+  /// nothing if there are none.
+  /// @param see  what it throws is rethrown as an Error that names the bag
+  /// @throws Error naming the bag, if it cannot be read
   void in(const std::string& file, const std::function<void(BagMessages& messages)>& see);
 
-  /// What to say when none of the bags had it: with the topics of the type that there are.
+  /// The error if none of the bags has the topic: lists the topics of the right types.
   [[nodiscard]] Error notFound() const;
 
  private:
@@ -37,9 +39,9 @@ class TopicSearch {
 
   std::string topic_;
   Types types_;
-  bool has_bag_ = false;          ///< whether there was any to look in
-  std::set<std::string> topics_;  ///< that are of the types
-  std::string other_type_;        ///< that of the topic, where it is not the one that was wanted
+  bool has_bag_ = false;          ///< whether any bag was searched
+  std::set<std::string> topics_;  ///< that are of the right types
+  std::string other_type_;        ///< the topic's type, if it is not a wanted one
 };
 
 }  // namespace synthetic_dataset::motion

@@ -18,10 +18,10 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-/// Scanners have at most a few hundred rings; a bag has a cell for each of their times.
+/// Scanners have at most a few hundred rings; clouds with more rows are not organised by ring.
 constexpr double kMostRings = 4096.0;
 
-/// How far from the stamp a point may be measured.
+/// The longest time between a point's measurement and the stamp.
 constexpr Duration kFarthestTime = std::chrono::seconds(1);
 
 std::size_t sizeOf(const PointField& field) {
@@ -56,7 +56,7 @@ double numberIn(const std::uint8_t* bytes, bool is_bigendian) {
 /// A field of a cloud's points.
 class CloudField {
  public:
-  /// @throws Error where it is of no known type, or ends behind the point
+  /// @throws Error if it is not of a known type, or ends beyond the point
   CloudField(const PointCloud2& cloud, const PointField& field)
       : field_(field), is_bigendian_(cloud.is_bigendian != 0) {
     if (field.datatype < PointField::INT8 || field.datatype > PointField::FLOAT64) {
@@ -72,7 +72,7 @@ class CloudField {
 
   [[nodiscard]] const PointField& description() const { return field_; }
 
-  /// @param point  its bytes
+  /// @param point  the bytes of the point
   [[nodiscard]] double of(const std::uint8_t* point) const {
     const std::uint8_t* const bytes = point + field_.offset;
     switch (field_.datatype) {
@@ -100,7 +100,7 @@ class CloudField {
   bool is_bigendian_;
 };
 
-/// The first of these fields that is there.
+/// The first of these fields that exists.
 std::optional<CloudField> fieldOf(const PointCloud2& cloud, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto field = std::find_if(cloud.fields.begin(), cloud.fields.end(),
@@ -111,7 +111,7 @@ std::optional<CloudField> fieldOf(const PointCloud2& cloud, const std::vector<st
 }
 
 /// The fields x, y and z.
-/// @throws Error where one is missing, or no number with a point
+/// @throws Error if one is missing, or is not a floating-point number
 std::vector<CloudField> coordinatesOf(const PointCloud2& cloud) {
   std::vector<CloudField> found;
   for (const char* const name : {"x", "y", "z"}) {
@@ -132,7 +132,7 @@ std::vector<CloudField> coordinatesOf(const PointCloud2& cloud) {
   return found;
 }
 
-/// @throws Error where it has too few bytes
+/// @throws Error if it has too few bytes
 void checkSize(const PointCloud2& cloud) {
   const std::uint64_t row = std::uint64_t{cloud.point_step} * cloud.width;
   if (cloud.height > 1 && cloud.row_step < row) {
@@ -147,7 +147,7 @@ void checkSize(const PointCloud2& cloud) {
               std::to_string(needed));
 }
 
-/// Shows the bytes of each point, and its row.
+/// Passes the bytes of each point, and its row, to `see`.
 template <class See>
 void forEachCell(const PointCloud2& cloud, const See& see) {
   for (std::uint32_t row = 0; row < cloud.height; ++row) {
@@ -160,10 +160,10 @@ Eigen::Vector3d positionAt(const std::uint8_t* point, const std::vector<CloudFie
   return {xyz[0].of(point), xyz[1].of(point), xyz[2].of(point)};
 }
 
-/// What a number of a point says about its time since the stamp [ns].
+/// Converts the number in a point's time field to its time since the stamp [ns].
 using TimeReading = std::function<double(double number)>;
 
-/// The fields of a cloud's points, and what they mean.
+/// The fields of a cloud's points, and their interpretation.
 class CloudReader {
  public:
   /// @throws Error as measuredCloud does
@@ -179,7 +179,7 @@ class CloudReader {
 
   [[nodiscard]] MeasuredCloud read() const {
     MeasuredCloud measured;
-    std::vector<std::uint32_t> cells;  // of each ring so far
+    std::vector<std::uint32_t> cells;  // number of each ring's cells so far
     forEachCell(cloud_, [&](const std::uint8_t* bytes, std::uint32_t row) {
       const std::optional<std::uint32_t> ring = ringAt(bytes, row);
       if (!ring) return;
@@ -210,7 +210,7 @@ class CloudReader {
     return Duration(std::llround(reading_(time_->of(point))));
   }
 
-  /// Nothing for what is no ring, where nothing was measured.
+  /// Nothing if nothing was measured and the ring is invalid.
   [[nodiscard]] std::optional<std::uint32_t> ringAt(const std::uint8_t* point,
                                                     std::uint32_t row) const {
     double ring = 0.0;
@@ -226,7 +226,7 @@ class CloudReader {
                 std::to_string(static_cast<int>(kMostRings)));
   }
 
-  /// What its numbers may mean, the most likely first.
+  /// What the numbers in the time field may mean, the most likely meaning first.
   [[nodiscard]] std::vector<TimeReading> readings() const {
     constexpr double kSecond = 1e9;
     const Stamp stamp = toStamp(cloud_.header.stamp);

@@ -42,7 +42,7 @@ std::string sizeOf(const sensor_msgs::CameraInfo& info) {
   return std::to_string(info.width) + " x " + std::to_string(info.height) + " pixels";
 }
 
-/// Whether two describe the same lens; the headers do not matter.
+/// Whether two messages describe the same lens; headers do not matter.
 bool isSameCamera(const sensor_msgs::CameraInfo& a, const sensor_msgs::CameraInfo& b) {
   return a.distortion_model == b.distortion_model && a.K == b.K && a.D == b.D && a.R == b.R &&
          a.P == b.P && a.binning_x == b.binning_x && a.binning_y == b.binning_y && a.roi == b.roi;

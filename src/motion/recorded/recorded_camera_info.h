@@ -7,17 +7,17 @@
 
 namespace synthetic_dataset::motion {
 
-/// What a recorded camera says of itself.
+/// A recorded calibration of a camera.
 struct RecordedCameraInfo {
   Value info;         ///< a map with the message's own names: width, height, K, D, P, ...
-  std::string frame;  ///< of its optical frame, as the message's header has it
-  std::vector<std::string> notes;  ///< when later messages say something else
+  std::string frame;  ///< its optical frame, from the message's header
+  std::vector<std::string> notes;  ///< if later messages differ
 };
 
-/// The first sensor_msgs/CameraInfo of a topic, of the first bag that has any.
+/// The first sensor_msgs/CameraInfo of a topic, from the first bag that has any.
 /// @param bag_files  bags that can be read
-/// @throws Error when no bag has such a topic (with those of its type that there are) or it has
-///     messages of another type
+/// @throws Error if no bag has such a topic (listing the topics of its type), or its messages are
+///     of another type
 [[nodiscard]] RecordedCameraInfo readCameraInfo(const std::vector<std::string>& bag_files,
                                                 const std::string& topic);
 

@@ -12,7 +12,7 @@ namespace {
 
 using sensor_msgs::PointCloud2;
 
-/// What an Error of a step says; nothing where there is none.
+/// The message of an Error that a step throws; empty if it throws none.
 template <class Step>
 std::string problemIn(const Step& step) {
   try {

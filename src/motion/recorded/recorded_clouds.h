@@ -12,28 +12,29 @@
 
 namespace synthetic_dataset::motion {
 
-/// What is known of a cloud without keeping its points.
+/// A summary of a cloud, without its points.
 struct CloudHead {
-  Stamp stamp{0};            ///< that its message's header has
-  std::string frame;         ///< likewise, without leading slashes
+  Stamp stamp{0};            ///< of the message's header
+  std::string frame;         ///< of the header, without leading slashes
   std::string problem = {};  ///< why it cannot be read: "has no field z, ..."
 
   TimeRange times = {};           ///< of its points
-  std::string time_problem = {};  ///< why nobody knows them: "has points of the times ..."
+  std::string time_problem = {};  ///< why they are not known: "has points of the times ..."
 };
 
 /// The clouds of a topic of type sensor_msgs/PointCloud2, in bags that count as one recording.
 class RecordedClouds : public RecordedMessages<CloudHead> {
  public:
-  /// Looks at all messages of the topic, and keeps where they are.
+  /// Looks at all messages of the topic, and remembers where they are.
   /// @throws Error as RecordedPictures does
   RecordedClouds(const std::vector<std::string>& bag_files, const std::string& topic);
 
-  /// The points of a cloud of heads() [m], in any thread; those that are not finite are left out.
-  /// @throws Error where it cannot be read
+  /// The points of a cloud of heads() [m], without those that are not finite. May be called in any
+  /// thread.
+  /// @throws Error if it cannot be read
   [[nodiscard]] std::vector<Eigen::Vector3d> read(std::size_t index) const;
 
-  /// What was measured at them, likewise.
+  /// What was measured at the points; see measuredCloud(). May be called in any thread.
   [[nodiscard]] MeasuredCloud readMeasured(std::size_t index) const;
 };
 

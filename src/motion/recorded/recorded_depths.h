@@ -14,13 +14,13 @@ namespace synthetic_dataset::motion {
 /// sensor_msgs/CompressedImage (compressedDepth), in bags that count as one recording.
 class RecordedDepths : public RecordedMessages<PictureHead> {
  public:
-  /// Looks at all messages of the topic, and keeps where they are.
+  /// Looks at all messages of the topic, and remembers where they are.
   /// @throws Error as RecordedPictures does
   RecordedDepths(const std::vector<std::string>& bag_files, const std::string& topic);
 
-  /// An image of heads(), in any thread. CV_32FC1: z of what is seen [m]; 0 where nothing was
-  /// measured.
-  /// @throws Error where it cannot be decoded
+  /// Reads an image of heads(): CV_32FC1, z of the seen surfaces [m], 0 where nothing was measured.
+  /// May be called in any thread.
+  /// @throws Error if it cannot be decoded
   [[nodiscard]] cv::Mat read(std::size_t index) const;
 };
 

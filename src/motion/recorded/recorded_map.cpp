@@ -18,10 +18,10 @@ struct LastGrid {
   nav_msgs::OccupancyGrid message;
 };
 
-/// Takes the bag's last message of the search's topic for the one before, unless that is younger.
+/// Replaces `last` by the bag's last message on the search's topic, unless `last` is more recent.
 void takeLast(const std::string& file, TopicSearch& search, std::optional<LastGrid>& last) {
   search.in(file, [&](BagMessages& messages) {
-    // Maps are large: only the one that is wanted is read.
+    // Maps are large: only the last one is decoded.
     std::optional<BagMessage> last_here;
     while (auto message = messages.next()) last_here = std::move(message);
     if (!last_here || (last && last_here->recorded < last->recorded)) return;
@@ -34,7 +34,7 @@ std::string sidesOf(const RecordedMap& map) {
   return std::to_string(map.width) + " x " + std::to_string(map.height) + " cells";
 }
 
-/// An orientation of zeros, which a sender has forgotten, is none, as RViz has it.
+/// An orientation of all zeros, which a sender has not set, counts as no rotation, as in RViz.
 Pose poseOf(const geometry_msgs::Pose& origin) {
   const auto& p = origin.position;
   const auto& q = origin.orientation;

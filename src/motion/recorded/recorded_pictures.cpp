@@ -11,7 +11,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// A file's image size; errors begin with its format.
+/// The image size of a file; errors begin with the file's format.
 base::PictureSize sizeOf(const PictureFile& file, const std::string& topic) {
   try {
     return base::checkPicture(file.bytes, topic);

@@ -21,9 +21,8 @@ const Value* entryOf(const Value* value, const std::string& name) {
   return found == map->end() ? nullptr : &found->second;
 }
 
-/// The names of the files that the metadata list
-/// (https://github.com/ros2/rosbag2, rosbag2_storage, MetadataIo). Older versions have the folder
-/// before them; all files are in it.
+/// The names of the files that the metadata list (https://github.com/ros2/rosbag2, rosbag2_storage,
+/// MetadataIo). Older versions put the folder before the names; all files are in that folder.
 std::vector<std::string> namedFiles(const fs::path& metadata) {
   const Value content = base::loadYamlFile(metadata.string());
   const Value* const information = entryOf(&content, "rosbag2_bagfile_information");
@@ -42,7 +41,7 @@ std::vector<std::string> namedFiles(const fs::path& metadata) {
   return files;
 }
 
-/// "bag_2.mcap" is before "bag_10.mcap".
+/// Sorted so that "bag_2.mcap" comes before "bag_10.mcap".
 std::vector<std::string> filesIn(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -50,7 +49,7 @@ std::vector<std::string> filesIn(const fs::path& folder) {
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (!hasStorageName(name) || !isFile(entry->path())) continue;
-    // `ros2 bag play` leaves the file that it decompresses beside the compressed one.
+    // `ros2 bag play` leaves the file that it decompresses next to the compressed one.
     const bool is_compressed = entry->path().extension() == ".zstd";
     if (is_compressed && isFile(folder / entry->path().stem())) continue;
     names.push_back(name);

@@ -8,13 +8,13 @@ namespace synthetic_dataset::motion {
 
 [[nodiscard]] bool isFile(const std::filesystem::path& path);
 
-/// Whether a name ends as rosbag2's files do: .db3, .mcap, and these with .zstd behind.
+/// Whether a name has an ending of rosbag2's files: .db3, .mcap, or one of these followed by .zstd.
 [[nodiscard]] bool hasStorageName(const std::string& file);
 
 /// The files of a bag of ROS 2, in the order in which they were recorded: those that the folder's
-/// metadata.yaml names, or, without one, those that are named as rosbag2 does; or the file itself.
+/// metadata.yaml names, or, without one, those with rosbag2's file endings; or the file itself.
 /// @param path  a folder or a file
-/// @throws Error where the metadata cannot be read, or name a file that is not there
+/// @throws Error if the metadata cannot be read, or name a file that does not exist
 [[nodiscard]] std::vector<std::string> storageFiles(const std::string& path);
 
 }  // namespace synthetic_dataset::motion

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kHead = 4;  // [byte]
 
-/// What a representation identifier says (DDS-XTypes 1.3, section 7.6.3.1.2, table 60).
+/// The encoding that a representation identifier means (DDS-XTypes 1.3, section 7.6.3.1.2, table
+/// 60).
 std::string nameOfEncoding(unsigned identifier) {
   switch (identifier) {
     case 0x02:
@@ -31,7 +32,7 @@ std::string nameOfEncoding(unsigned identifier) {
   }
 }
 
-/// Reads CDR and writes what ROS 1 has for it.
+/// Reads CDR and writes ROS 1's serialisation.
 class Converter {
  public:
   Converter(std::string_view content, bool is_little) : rest_(content), is_little_(is_little) {
@@ -76,7 +77,8 @@ class Converter {
     }
   }
 
-  /// Numbers are where a multiple of their size is, counted from the content's beginning.
+  /// Skips padding: numbers start at multiples of their size, counted from the start of the
+  /// content.
   void align(std::size_t to) {
     const std::size_t place = size_ - rest_.size();
     static_cast<void>(take((to - place % to) % to));
@@ -107,7 +109,7 @@ class Converter {
   }
 
   void convertNumbers(std::uint64_t count, std::size_t size) {
-    if (count == 0) return;  // not even aligned
+    if (count == 0) return;  // not even padding
     align(size);
     const std::string_view bytes = take(count * size);
     if (is_little_ || size == 1) {
@@ -123,7 +125,7 @@ class Converter {
   void convertText(const std::string& name) {
     const std::uint32_t length = number();
     std::string_view text = take(length);
-    // Its end is counted; writers that count nothing for an empty text are known.
+    // The length includes the terminating zero; some writers give 0 for an empty text.
     if (!text.empty()) {
       if (text.back() != '\0') throw Error("has a text '" + name + "' without its end");
       text.remove_suffix(1);

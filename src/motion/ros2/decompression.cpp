@@ -21,11 +21,11 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// Equal bytes become 128 KiB from 4 of Zstandard (RFC 8878, section 3.1.1.2); LZ4 is farther from
-/// it.
+/// Zstandard encodes 128 KiB of equal bytes in 4 bytes (RFC 8878, section 3.1.1.2); LZ4's largest
+/// ratio is far smaller.
 constexpr std::uint64_t kLargestRatio = 50000;
 
-/// Makes bytes of the rest of a frame: what it took of the input, and what it made.
+/// One step of decompressing a frame: how many bytes it consumed, and how many it produced.
 struct Step {
   std::size_t taken = 0;
   std::size_t made = 0;
@@ -47,7 +47,7 @@ Step stepOfZstd(ZSTD_DStream* context, std::string_view from, char* to, std::siz
 }
 
 ZstdContext makeZstd() {
-  // Frames may need a window of up to 2 GiB; 128 MiB is what decoders offer by default.
+  // Frames may need a window of up to 2 GiB; decoders allow 128 MiB by default.
   return {ZSTD_createDStream(), ZSTD_freeDStream};
 }
 
@@ -121,7 +121,7 @@ TemporaryFile decompressZstdFile(const std::string& file) {
   std::ifstream from = base::openInput(file);
   TemporaryFile result;
   std::ofstream to(result.path(), std::ios::binary);
-  constexpr std::uint64_t kLeftFree = std::uint64_t{256} << 20U;  // [byte] of the disk
+  constexpr std::uint64_t kLeftFree = std::uint64_t{256} << 20U;  // [byte] on the disk
   std::error_code error;
   const std::uint64_t room = std::filesystem::space(result.path(), error).available;
   const ZstdContext context = makeZstd();
@@ -132,7 +132,7 @@ TemporaryFile decompressZstdFile(const std::string& file) {
   while (from) {
     from.read(input.data(), static_cast<std::streamsize>(input.size()));
     std::string_view rest(input.data(), static_cast<std::size_t>(from.gcount()));
-    bool is_full = false;  // so that more may be waiting inside
+    bool is_full = false;  // then there may be more output pending
     while (!rest.empty() || is_full) {
       const Step step = stepOfZstd(context.get(), rest, output.data(), output.size());
       rest.remove_prefix(step.taken);

@@ -6,22 +6,22 @@
 
 namespace synthetic_dataset::motion {
 
-/// Whether bytes begin as a frame of Zstandard (RFC 8878, section 3.1.1).
+/// Whether bytes begin like a Zstandard frame (RFC 8878, section 3.1.1).
 [[nodiscard]] bool isZstd(std::string_view bytes);
 
-/// A frame of Zstandard, decompressed.
-/// @throws Error where it is damaged, or becomes larger than kLargestContent or than any content of
-///     such a length does
+/// Decompresses a Zstandard frame.
+/// @throws Error if it is damaged, or its content is larger than kLargestContent or than a frame of
+///     such a length can hold
 [[nodiscard]] std::string zstdDecompressed(std::string_view frame);
 
-/// A frame of LZ4 (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md), decompressed.
-/// @throws Error likewise
+/// Decompresses an LZ4 frame (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md).
+/// @throws Error as zstdDecompressed does
 [[nodiscard]] std::string lz4Decompressed(std::string_view frame);
 
-/// A file that is removed with this object.
+/// A file that is deleted together with this object.
 class TemporaryFile {
  public:
-  /// Empty, where TMPDIR says, else in /tmp.
+  /// Creates an empty file in the folder that TMPDIR names, or else in /tmp.
   TemporaryFile();
   ~TemporaryFile();
   TemporaryFile(TemporaryFile&& other) noexcept : path_(std::move(other.path_)) {
@@ -37,8 +37,8 @@ class TemporaryFile {
   std::string path_;
 };
 
-/// A file that is one frame of Zstandard or several, decompressed piece by piece.
-/// @throws Error where it is damaged, or there is not enough room on the disk
+/// Decompresses a file of one or several Zstandard frames, piece by piece.
+/// @throws Error if it is damaged, or there is not enough room on the disk
 [[nodiscard]] TemporaryFile decompressZstdFile(const std::string& file);
 
 }  // namespace synthetic_dataset::motion

@@ -14,15 +14,15 @@ class FileWindow {
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// These bytes, until the next call.
-  /// @throws Error where the file does not have them
+  /// Returns the bytes at this offset; the view is valid until the next call.
+  /// @throws Error if the file does not have them
   [[nodiscard]] std::string_view at(std::uint64_t place, std::uint64_t count);
 
  private:
   std::ifstream stream_;
   std::uint64_t size_ = 0;
   std::string bytes_;
-  std::uint64_t begin_ = 0;  ///< of bytes_ in the file
+  std::uint64_t begin_ = 0;  ///< offset of bytes_ in the file
 };
 
 }  // namespace synthetic_dataset::motion

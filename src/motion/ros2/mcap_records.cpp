@@ -10,7 +10,7 @@ namespace synthetic_dataset::motion {
 namespace {
 
 std::uint32_t checksumOf(std::string_view bytes) {
-  constexpr std::size_t kAtOnce = std::size_t{1} << 30U;  // zlib counts in 32 bits
+  constexpr std::size_t kAtOnce = std::size_t{1} << 30U;  // zlib's lengths have 32 bits
   uLong sum = crc32(0, nullptr, 0);
   while (!bytes.empty()) {
     const std::string_view part = bytes.substr(0, kAtOnce);
@@ -53,9 +53,9 @@ McapMessage mcapMessage(std::string_view content) {
   McapBytes bytes(content);
   McapMessage message;
   message.channel = bytes.number<std::uint16_t>();
-  (void)bytes.number<std::uint32_t>();  // counts the publisher's messages
+  (void)bytes.number<std::uint32_t>();  // sequence number
   message.recorded = bytes.number<std::uint64_t>();
-  (void)bytes.number<std::uint64_t>();  // when it was published
+  (void)bytes.number<std::uint64_t>();  // publish time
   message.data = bytes.rest();
   return message;
 }
@@ -63,7 +63,7 @@ McapMessage mcapMessage(std::string_view content) {
 McapChunk mcapChunk(std::string_view start, std::uint64_t place, std::uint64_t length) {
   McapBytes bytes(start);
   McapChunk chunk;
-  (void)bytes.take(8 + 8);  // when its first and last message were recorded
+  (void)bytes.take(8 + 8);  // record times of its first and last message
   chunk.size = bytes.number<std::uint64_t>();
   chunk.checksum = bytes.number<std::uint32_t>();
   chunk.compression = bytes.text();
@@ -82,7 +82,7 @@ std::string mcapContent(const McapChunk& chunk, std::string_view compressed) {
   if (chunk.compression.empty()) {
     content = compressed;
   } else if (chunk.size == 0) {
-    content.clear();  // which lz4 makes no frame of
+    content.clear();  // lz4 writes no frame for it
   } else if (chunk.compression == "zstd") {
     content = zstdDecompressed(compressed);
   } else if (chunk.compression == "lz4") {

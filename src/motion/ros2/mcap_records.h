@@ -23,7 +23,7 @@ inline constexpr std::size_t kMcapRecordHead = 9;
 
 inline constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
 
-/// Takes values from bytes, the low ones first. Methods throw Error where there are too few bytes.
+/// Takes little-endian values from bytes. Methods throw Error if there are too few bytes.
 class McapBytes {
  public:
   explicit McapBytes(std::string_view bytes) : rest_(bytes) {}
@@ -40,7 +40,7 @@ class McapBytes {
     return value;
   }
   [[nodiscard]] std::string_view take(std::uint64_t count);
-  /// Behind its length.
+  /// A text, preceded by its length.
   [[nodiscard]] std::string_view text() { return take(number<std::uint32_t>()); }
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
@@ -73,23 +73,23 @@ struct McapMessage {
 };
 [[nodiscard]] McapMessage mcapMessage(std::string_view content);
 
-/// A chunk's head.
+/// The head of a chunk.
 struct McapChunk {
-  std::uint64_t size = 0;  ///< [byte] of its records when they are decompressed
+  std::uint64_t size = 0;  ///< [byte] of its records, decompressed
   std::uint32_t checksum = 0;
   std::string compression;
-  std::uint64_t place = 0;            ///< of its records in the file
+  std::uint64_t place = 0;            ///< offset of its records in the file
   std::uint64_t compressed_size = 0;  ///< [byte]
 };
-/// @param start  as many bytes of the record's content as a head may have
-/// @param place  of the content in the file
+/// @param start  the first bytes of the record's content, as many as a head may have
+/// @param place  offset of the content in the file
 /// @param length  of the whole content
 [[nodiscard]] McapChunk mcapChunk(std::string_view start, std::uint64_t place,
                                   std::uint64_t length);
 inline constexpr std::uint64_t kLongestMcapChunkHead = 8 + 8 + 8 + 4 + 4 + 64 + 8;  // [byte]
 
-/// The records of a chunk, decompressed.
-/// @throws Error where they are damaged, or become larger than kLargestContent
+/// Decompresses the records of a chunk.
+/// @throws Error if they are damaged, or larger than kLargestContent
 [[nodiscard]] std::string mcapContent(const McapChunk& chunk, std::string_view compressed);
 
 }  // namespace synthetic_dataset::motion

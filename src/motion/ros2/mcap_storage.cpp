@@ -16,13 +16,13 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// A message outside of chunks has its record's place in the file; another one the number of its
-/// chunk, and its record's place in that.
+/// A flag in a message's place: the other bits are its record's offset in the file. Without it, the
+/// place consists of the number of the message's chunk and its record's offset in that chunk.
 constexpr std::uint64_t kInFile = std::uint64_t{1} << 63U;
 
 struct Record {
   McapRecord kind{};
-  std::uint64_t place = 0;   ///< of its content
+  std::uint64_t place = 0;   ///< offset of its content
   std::uint64_t length = 0;  ///< [byte] of its content
 
   [[nodiscard]] std::uint64_t end() const { return place + length; }
@@ -34,7 +34,7 @@ Record recordAt(std::string_view head, std::uint64_t place) {
   return {kind, place + kMcapRecordHead, bytes.number<std::uint64_t>()};
 }
 
-/// Shows the records that bytes are.
+/// Passes each record in the bytes to `see`.
 template <class See>
 void eachRecord(std::string_view bytes, const See& see) {
   for (std::uint64_t place = 0; place < bytes.size();) {
@@ -46,20 +46,20 @@ void eachRecord(std::string_view bytes, const See& see) {
   }
 }
 
-/// @param place  where a message's record begins
+/// @param place  offset of a message's record
 McapMessage messageAt(std::string_view content, std::uint64_t place) {
   const Record record = recordAt(content.substr(place, kMcapRecordHead), place);
   return mcapMessage(content.substr(record.place, record.length));
 }
 
-/// A chunk's content, and where its messages' records begin.
+/// A chunk's content, and the offsets of its messages' records.
 struct Loaded {
   std::size_t chunk;
   std::string content;
   std::vector<std::uint64_t> messages;  ///< in order
 };
 
-/// A chunk that is passed, with what its indices say.
+/// A chunk that the scan has passed, with the entries of its indices.
 struct Passed {
   bool has_index = false;
   std::map<std::uint64_t, std::pair<std::uint16_t, std::uint64_t>> messages;  ///< by offset
@@ -69,7 +69,7 @@ class McapFile {
  public:
   explicit McapFile(const std::string& file) : file_(file) {}
 
-  /// Notes what there is.
+  /// Notes the file's topics and messages.
   void scan(Storage& storage) {
     storage_ = &storage;
     readSummary();
@@ -82,7 +82,7 @@ class McapFile {
       take(record);
       place = record.end();
     }
-    if (!is_whole && chunk_) chunk_->has_index = false;  // which may be a part of it
+    if (!is_whole && chunk_) chunk_->has_index = false;  // it may be incomplete
     finishChunk();
     if (!is_whole) {
       storage.note = "breaks off after " + std::to_string(storage.messages.size()) +
@@ -108,7 +108,7 @@ class McapFile {
   }
 
  private:
-  /// Schemas and channels that are repeated behind the data, if they are.
+  /// Reads the schemas and channels that may be repeated after the data.
   void readSummary() {
     constexpr std::uint64_t kFooter = kMcapRecordHead + 8 + 8 + 4;
     const std::uint64_t size = file_.size();
@@ -119,7 +119,7 @@ class McapFile {
     if (static_cast<McapRecord>(bytes.number<std::uint8_t>()) != McapRecord::kFooter) return;
     (void)bytes.number<std::uint64_t>();
     auto place = bytes.number<std::uint64_t>();
-    if (place < kMcapMagic.size()) return;  // none
+    if (place < kMcapMagic.size()) return;  // there is no summary
     while (place < footer && footer - place >= kMcapRecordHead) {
       const Record record = recordAt(file_.at(place, kMcapRecordHead), place);
       if (record.length > footer - record.place) return;
@@ -133,7 +133,7 @@ class McapFile {
   }
 
   void describe(McapRecord kind, std::string_view content) {
-    if (storage_ == nullptr) return;  // all that is read was described
+    if (storage_ == nullptr) return;  // after the scan, everything is described
     if (kind == McapRecord::kSchema) {
       McapSchema schema = mcapSchema(content);
       schemas_.emplace(schema.id, std::move(schema));
@@ -191,7 +191,7 @@ class McapFile {
     while (!entries.rest().empty()) {
       const auto recorded = entries.number<std::uint64_t>();
       const auto offset = entries.number<std::uint64_t>();
-      // Messages that share bytes would make a small file a large recording.
+      // Messages that overlapped would turn a small file into a large recording.
       const bool is_new = chunk_->messages.emplace(offset, std::pair(channel, recorded)).second;
       if (!is_new || offset >= chunks_.back().size) {
         throw Error("an index of messages does not fit its chunk");
@@ -207,7 +207,7 @@ class McapFile {
     const auto isKnown = [&](const auto& each) { return topic_of_.count(each.second.first) != 0; };
     if (chunks_.back().size > kLargestContent || !passed.has_index ||
         !std::all_of(passed.messages.begin(), passed.messages.end(), isKnown)) {
-      (void)loaded(number);  // which describes its channels
+      (void)loaded(number);  // describes its channels
     }
     if (passed.has_index) {
       for (const auto& [offset, message] : passed.messages) {
@@ -228,7 +228,7 @@ class McapFile {
     storage_->messages.push_back({recordTime(recorded), topic->second, place});
   }
 
-  /// The last few chunks are kept, as messages that were recorded late may be in an earlier one.
+  /// Keeps the last few chunks, as messages that were recorded late may be in an earlier one.
   const Loaded& loaded(std::size_t number) {
     const auto kept = std::find_if(loaded_.begin(), loaded_.end(),
                                    [&](const Loaded& each) { return each.chunk == number; });
@@ -255,13 +255,13 @@ class McapFile {
   }
 
   FileWindow file_;
-  Storage* storage_ = nullptr;  ///< while it is scanned
+  Storage* storage_ = nullptr;  ///< during the scan
   std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, std::uint32_t> topic_of_;  ///< by channel
   std::vector<McapChunk> chunks_;
   std::optional<Passed> chunk_;  ///< the last of chunks_, while its indices are read
   std::set<std::string> compressions_;
-  std::list<Loaded> loaded_;  ///< that was used last first
+  std::list<Loaded> loaded_;  ///< most recently used first
 };
 
 }  // namespace

@@ -7,13 +7,13 @@
 
 namespace synthetic_dataset::motion {
 
-/// Whether a file begins as MCAP's do.
+/// Whether a file begins like an MCAP file.
 [[nodiscard]] bool isMcap(std::string_view start);
 
-/// Opens an MCAP file (https://mcap.dev/spec): with chunks or without, compressed by Zstandard or
-/// LZ4 or plain, with indices and a summary or without. One that breaks off is read up to there,
-/// and noted.
-/// @throws Error where it is damaged
+/// Opens an MCAP file (https://mcap.dev/spec): with or without chunks, compressed by Zstandard or
+/// LZ4 or not at all, with or without indices and a summary. A truncated file is read as far as it
+/// goes, and a note is added.
+/// @throws Error if it is damaged
 [[nodiscard]] Storage openMcap(const std::string& file);
 
 }  // namespace synthetic_dataset::motion

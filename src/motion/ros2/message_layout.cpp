@@ -17,7 +17,7 @@ constexpr std::size_t kLongestDefinition = 1U << 20U;  // [byte]
 constexpr std::uint32_t kLargestFixedCount = 1U << 20U;
 constexpr std::size_t kDeepest = 32;  // messages within messages
 
-/// Names of numbers' types that are the same, and their sizes [byte].
+/// The canonical name of a number's type, and its size [byte].
 struct NumberType {
   std::string type;
   std::size_t size = 0;
@@ -40,7 +40,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// Of a field: "float64[9] k".
+/// A field as text: "float64[9] k".
 std::string textOf(const FieldLayout& field) {
   std::string count;
   if (field.count == FieldLayout::Count::kList) count = "[]";
@@ -107,7 +107,7 @@ class LayoutReader {
   }
 
  private:
-  /// A field "type name", with a default value or not; constants and comments are passed over.
+  /// Reads a field "type name", with or without a default value; skips constants and comments.
   void readLine(const std::string& line, MessageLayout& layout) {
     std::istringstream words(line.substr(0, line.find('#')));
     std::string type;

@@ -19,7 +19,7 @@ bool hasTable(const SqliteDatabase& database, const std::string& name) {
   return tables.step();
 }
 
-/// By type.
+/// The definitions of types, by type.
 std::map<std::string, std::string> definitionsIn(const SqliteDatabase& database) {
   std::map<std::string, std::string> definitions;
   if (!hasTable(database, "message_definitions")) return definitions;
@@ -32,7 +32,7 @@ std::map<std::string, std::string> definitionsIn(const SqliteDatabase& database)
 
 std::map<std::int64_t, std::uint32_t> readTopics(const SqliteDatabase& database, Storage& storage) {
   const std::map<std::string, std::string> definitions = definitionsIn(database);
-  std::map<std::int64_t, std::uint32_t> index_of;  // by identifier
+  std::map<std::int64_t, std::uint32_t> index_of;  // by the database's id
   SqliteStatement rows(database, "SELECT id, name, type, serialization_format FROM topics");
   while (rows.step()) {
     index_of[rows.integer(0)] = static_cast<std::uint32_t>(storage.topics.size());
@@ -48,7 +48,7 @@ void readMessages(const SqliteDatabase& database, Storage& storage) {
   SqliteStatement rows(database, "SELECT rowid, topic_id, timestamp FROM messages ORDER BY rowid");
   std::optional<std::int64_t> last;
   while (rows.step()) {
-    // Pages of a damaged file that lie within one another would never end.
+    // In a damaged file, pages may lie within one another, so that rows would never end.
     if (last && rows.integer(0) <= *last) throw Error("its messages are not in order");
     last = rows.integer(0);
     const auto topic = index_of.find(rows.integer(1));

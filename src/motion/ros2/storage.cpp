@@ -28,7 +28,8 @@ Storage openStorage(const std::string& file) {
   if (isSqlite(start)) return openSqlite(file);
   if (isMcap(start)) return openMcap(file);
   if (!isZstd(start)) throw Error("is neither an SQLite database nor an MCAP file");
-  // The file's name goes as soon as it is open: nothing is left of it when this process ends.
+  // The temporary file's name is removed as soon as the file is open, so nothing is left of it when
+  // this process ends.
   const TemporaryFile plain = decompressZstdFile(file);
   std::ifstream(plain.path()).read(start.data(), static_cast<std::streamsize>(start.size()));
   if (isZstd(start)) throw Error("is compressed twice");

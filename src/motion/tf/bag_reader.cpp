@@ -10,7 +10,8 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// The bag whose next message was recorded first (of equal times the bag named first), if any.
+/// The bag whose next message was recorded first (for equal times, the bag that is named first), if
+/// any.
 BagFile* nextOf(const std::vector<BagFile*>& bags) {
   BagFile* next = nullptr;
   std::optional<Stamp> earliest;

@@ -17,7 +17,8 @@ using TransformVisitor = std::function<void(RecordedTransform transform)>;
 /// Bags that count as one recording.
 class BagReader {
  public:
-  /// @throws ErrorList with what is wrong with each of the files: missing, no bag, truncated, ...
+  /// @throws ErrorList with what is wrong with each of the files: missing, not a bag, truncated,
+  ///     ...
   explicit BagReader(const std::vector<std::string>& bag_files);
 
   /// The record times of the first and the last message, of any topic.
@@ -26,7 +27,7 @@ class BagReader {
   /// The topics of all bags, each pair of name and type once.
   [[nodiscard]] std::vector<BagTopic> topics() const;
 
-  /// What the user should know of the bags.
+  /// What the user should know about the bags.
   [[nodiscard]] std::vector<std::string> notes() const;
 
   [[nodiscard]] const std::vector<std::unique_ptr<BagFile>>& bags() const { return bags_; }
@@ -40,9 +41,8 @@ class BagReader {
 };
 
 /// Reads the bags' TF (findTfTopics()).
-/// @throws ErrorList as BagReader and findTfTopics do; or, if none of the bags has any, no messages
-/// or
-///     no transforms
+/// @throws ErrorList as BagReader and findTfTopics do; or, if none of the bags contains TF, saying
+///     what each bag has instead
 RecordedTimes readTransforms(const std::vector<std::string>& bag_files,
                              const TransformVisitor& visit);
 

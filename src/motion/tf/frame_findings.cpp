@@ -16,11 +16,12 @@ namespace {
 using Sample = LinkHistory::Sample;
 using Samples = std::vector<Sample>;
 
-/// A jump and its way back: longer than noise, and nearly to where it began, within a few samples.
+/// A jump and its return: longer than noise, and back to nearly where it began, within a few
+/// samples.
 constexpr double kLeastJump = 0.005;  // [m]
-constexpr double kNearlyBack = 0.1;   // of the jump
+constexpr double kNearlyBack = 0.1;   // fraction of the jump
 constexpr std::size_t kMostBetween = 4;
-/// More than this number and this share of all steps are not accidental.
+/// At least this many jumps, and at least this fraction of all samples, are not accidental.
 constexpr std::int64_t kLeastJumps = 3;
 constexpr std::int64_t kLeastShare = 5;  // one in five
 
@@ -34,7 +35,7 @@ double distance(const Sample& a, const Sample& b) { return (positionIn(a) - posi
 struct Jumps {
   std::int64_t count = 0;
   Stamp first{0};
-  double length = 0.0;  ///< of the first [m]
+  double length = 0.0;  ///< of the first jump [m]
 };
 
 bool comesBack(const Samples& samples, std::size_t from, double jump) {
@@ -46,9 +47,9 @@ bool comesBack(const Samples& samples, std::size_t from, double jump) {
   return false;
 }
 
-/// Whether a step goes on with the one before, as those of a thing that swings do.
+/// Whether a step continues the previous one, as for something that swings.
 bool goesOn(const Samples& samples, std::size_t from) {
-  constexpr double kLeast = 0.5;  // of the step
+  constexpr double kLeast = 0.5;  // fraction of the step
   if (from == 0 || samples[from - 1].parent != samples[from].parent) return false;
   const Eigen::Vector3d here = positionIn(samples[from]);
   const Eigen::Vector3d before = here - positionIn(samples[from - 1]);

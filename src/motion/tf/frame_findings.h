@@ -16,25 +16,25 @@ struct FrameFinding {
   std::string message;
 };
 
-/// Whether two transforms are the same, but for rounding.
+/// Whether two transforms are the same except for rounding.
 [[nodiscard]] bool isSameTransform(const geometry_msgs::Transform& a,
                                    const geometry_msgs::Transform& b);
 
-/// A frame that jumps to and fro between two places, or two parents, as one does that two
-/// publishers move.
+/// Finds a frame that jumps back and forth between two positions, or two parents, as if two
+/// publishers moved it.
 /// @param samples  ascending by stamp
-/// @param publishers  that sent them, as far as they are known
+/// @param publishers  that sent them, as far as known
 [[nodiscard]] std::optional<FrameFinding> findFight(const FrameNames& names, FrameId child,
                                                     const std::vector<LinkHistory::Sample>& samples,
                                                     const std::vector<std::string>& publishers);
 
-/// A frame that hangs below another parent from some time on.
+/// Finds a frame whose parent changes.
 [[nodiscard]] std::optional<FrameFinding> findParentChange(
     const FrameNames& names, FrameId child, const std::vector<LinkHistory::Sample>& samples);
 
-/// A static transform with several values.
-/// @param samples  its values, by the time from which each holds
-/// @param is_moved  whether `/tf` has the frame as well
+/// Finds a static transform with several values.
+/// @param samples  its values, in the order of the times from which they hold
+/// @param is_moved  whether `/tf` contains the frame as well
 [[nodiscard]] std::optional<FrameFinding> findStaticChange(
     const FrameNames& names, FrameId child, const std::vector<LinkHistory::Sample>& samples,
     bool is_moved);

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::motion {
 namespace {
 
-/// As in tf2 (`BufferCore::MAX_GRAPH_DEPTH`): a longer chain is taken for a loop.
+/// As in tf2 (`BufferCore::MAX_GRAPH_DEPTH`): a longer chain counts as a loop.
 constexpr std::size_t kMostLinks = 1000;
 
 struct Climb {
@@ -32,7 +32,7 @@ Climb climb(const FrameTree& tree, FrameId start, FrameId stop, Stamp time) {
   return way;
 }
 
-/// What links add up to, from a frame upwards, in tf2's own arithmetic and order.
+/// The product of links from a frame upwards, in tf2's own arithmetic and order.
 struct Chain {
   tf2::Vector3 position{0, 0, 0};
   tf2::Quaternion rotation{0, 0, 0, 1};
@@ -60,7 +60,7 @@ struct Chain {
   }
 };
 
-/// Frames in groups that grow together (union-find with path halving).
+/// Connected groups of frames (union-find with path halving).
 class Groups {
  public:
   explicit Groups(std::size_t frames) : next_(frames) { std::iota(next_.begin(), next_.end(), 0); }
@@ -93,7 +93,7 @@ const LinkHistory& FrameTree::link(FrameId child) const {
 }
 
 // The order of tf2's BufferCore::walkToTopParent: first up from the source, then from the target to
-// where the first way ended. All links up to there count, not only those below the first common
+// where the first path ended. All links up to there are used, not only those below the first common
 // frame: that changes the last bits.
 std::optional<Pose> FrameTree::transform(FrameId target, FrameId source, Stamp time) const {
   if (source == target) return Pose::Identity();
@@ -129,7 +129,7 @@ Connection FrameTree::connection(FrameId target, FrameId source, Stamp time) con
   if (down.loop || down.frames.back() != up.frames.back()) return connection;
 
   connection.known = true;
-  // What both ways share lies above their first common frame and is not crossed.
+  // The shared part of both paths lies above their first common frame and is not crossed.
   while (!up.frames.empty() && !down.frames.empty() && up.frames.back() == down.frames.back()) {
     up.frames.pop_back();
     down.frames.pop_back();

@@ -13,15 +13,16 @@ namespace synthetic_dataset::motion {
 /// Whether one frame can be transformed into another at a time.
 struct Connection {
   bool known = false;
-  Validity validity;  ///< times at which the answer is the same and goes the same way
+  Validity validity;  ///< times at which the answer and the path are the same
 
-  /// The frames whose links to their parents are crossed on the way, up from the source and down to
-  /// the target; empty unless known.
+  /// The frames whose links to their parents are crossed on the path, up from the source and down
+  /// to the target; empty unless known.
   std::vector<FrameId> links;
 };
 
-/// Which frame hung below which one, when and where. It answers as tf2's buffer does, and says in
-/// addition how long an answer holds, so that long recordings are searched in a few steps.
+/// The tree of frames over time: each frame's parent and its pose in it. Gives the same answers as
+/// tf2's buffer, and in addition how long an answer holds, so that long recordings can be searched
+/// in a few steps.
 class FrameTree {
  public:
   [[nodiscard]] FrameId findOrAdd(const std::string& name);
@@ -30,16 +31,16 @@ class FrameTree {
   void setLink(FrameId child, LinkHistory link);
   [[nodiscard]] const LinkHistory& link(FrameId child) const;
 
-  /// X_TS at a time, its rotation normalised; nothing where they are not connected then.
+  /// X_TS at a time, with normalised rotation; nothing if the frames are not connected then.
   [[nodiscard]] std::optional<Pose> transform(FrameId target, FrameId source, Stamp time) const;
 
   /// Whether there is such a transform.
   [[nodiscard]] Connection connection(FrameId target, FrameId source, Stamp time) const;
 
-  /// All times at which `source` can be transformed into `target`: apart and ascending.
+  /// All times at which `source` can be transformed into `target`, as disjoint ascending intervals.
   [[nodiscard]] std::vector<Validity> knownTimes(FrameId target, FrameId source) const;
 
-  /// Whether links connect the two frames when it is left aside at which times they are known.
+  /// Whether links connect the two frames, regardless of when these links are known.
   [[nodiscard]] bool everLinked(FrameId a, FrameId b) const;
 
  private:

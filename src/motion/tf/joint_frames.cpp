@@ -57,7 +57,7 @@ bool JointFrames::isMoved(const JointedLink& link) const {
          (link.mimic && positions_.count(link.mimic->joint) != 0);
 }
 
-/// Goes from a link to all that are held to it, but the one from which it came.
+/// Visits all links that are connected to a link by joints, except the one from which it came.
 void JointFrames::visit(std::size_t link, std::optional<std::size_t> came_from,
                         const std::string& anchor, const Pose& X_AL) {
   const JointedLink& here = robot_.links[link];

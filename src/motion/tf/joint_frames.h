@@ -22,14 +22,14 @@ struct JointedLink {
     double offset = 0.0;
   };
 
-  std::string frame;  ///< in which it is looked for
+  std::string frame;  ///< name of its frame
 
-  /// Index of the link that its joint holds it to; none for a root.
+  /// Index of the parent link, to which its joint connects it; none for a root.
   std::optional<std::size_t> parent = std::nullopt;
 
-  Pose X_PL = Pose::Identity();     ///< in its parent at rest, or in the robot
-  std::string joint = {};           ///< that can move it; empty: none
-  bool slides = false;              ///< along the axis [m], else turns about it [rad]
+  Pose X_PL = Pose::Identity();     ///< in its parent, or in the robot for a root; at rest
+  std::string joint = {};           ///< that moves it; empty if none does
+  bool slides = false;              ///< along the axis [m]; otherwise it turns about it [rad]
   Eigen::Vector3d axis_L{1, 0, 0};  ///< of length 1
   double rest = 0.0;                ///< the joint's position at rest [m] or [rad]
   std::optional<Mimic> mimic = std::nullopt;
@@ -38,33 +38,33 @@ struct JointedLink {
 /// A robot whose links follow the positions of its joints.
 struct JointedRobot {
   std::string object;
-  std::string frame;  ///< where the robot is
+  std::string frame;  ///< gives the robot's pose
 
-  /// Index of the link that stands at `frame`; none: the robot's origin stands there.
+  /// Index of the link whose pose is that of `frame`; none: it is the pose of the robot's origin.
   std::optional<std::size_t> own_link;
   std::vector<JointedLink> links;
 };
 
-/// The frames of a robot's links, by the positions of its joints.
+/// Computes the frames of a robot's links from the positions of its joints.
 class JointFrames {
  public:
-  /// @param positions  names of the joints whose positions there are
+  /// @param positions  names of the joints with known positions
   JointFrames(const JointedRobot& robot, const std::set<std::string>& positions);
 
   /// The names of the frames that move.
   [[nodiscard]] std::vector<std::string> frames() const;
 
-  /// The transforms of all frames whose joints the message has.
+  /// The transforms of all frames whose joints are in the message.
   [[nodiscard]] std::vector<geometry_msgs::TransformStamped> transforms(
       const sensor_msgs::JointState& message) const;
 
  private:
-  /// A frame A and the next one that moves against it, B: X_AB = before * displacement * after.
+  /// A frame A and the next one that moves relative to it, B: X_AB = before * displacement * after.
   struct Step {
     std::string from;
     std::string to;
     Pose before;
-    std::size_t link;  ///< whose joint lies between
+    std::size_t link;  ///< whose joint lies between them
     bool is_upwards;   ///< from the link to its parent
     Pose after = Pose::Identity();
   };

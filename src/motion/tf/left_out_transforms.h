@@ -16,7 +16,7 @@ namespace synthetic_dataset::motion {
 /// Whether a transform holds at its time or at all times: `/tf` or `/tf_static`.
 enum class TransformKind { kMoving, kStatic };
 
-/// Why a transform cannot be used, if so. Its frames' names are without leading slashes.
+/// Why a transform cannot be used, if so. Its frames' names must not have leading slashes.
 ///
 /// The checks are those of tf2's `BufferCore::setTransform`, which logs and drops such transforms
 /// one by one, and two more: infinite numbers, and stamps of zero, which means "the latest" to tf2.
@@ -27,7 +27,7 @@ enum class TransformKind { kMoving, kStatic };
 /// lines.
 class LeftOutTransforms {
  public:
-  /// @param bag_file  empty where several bags have to do with it
+  /// @param bag_file  empty if several bags are involved
   void add(const std::string& bag_file, const std::string& parent, const std::string& child,
            const std::string& reason, Stamp stamp);
 
@@ -40,7 +40,8 @@ class LeftOutTransforms {
     Stamp first;
     std::int64_t count = 1;
   };
-  std::vector<Entry> entries_;                                  ///< in the order of their finding
+  std::vector<Entry> entries_;                                  ///< in the order in which they were
+                                                                ///< found
   std::map<std::array<std::string, 4>, std::size_t> place_of_;  ///< by bag, parent, child, reason
 };
 

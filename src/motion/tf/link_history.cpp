@@ -24,9 +24,9 @@ tf2::Quaternion rotationOf(const LinkHistory::Sample& sample) {
   return {q.x, q.y, q.z, q.w};
 }
 
-/// With tf2's own arithmetic: it makes whatever tf2::BufferCore would make. Only what stands still
-/// is at the very same place at all times, without the rounding of a mean of two equal numbers: a
-/// picture from there can be kept.
+/// Uses tf2's own arithmetic, to give the same result as tf2::BufferCore. The only exception: if
+/// both poses are equal, the result is exactly that pose, without the rounding of interpolation, so
+/// that a picture from there can be reused.
 geometry_msgs::Transform interpolated(const LinkHistory::Sample& before,
                                       const LinkHistory::Sample& after, Stamp time) {
   if (before.X_PC == after.X_PC) return before.X_PC;
@@ -46,7 +46,7 @@ geometry_msgs::Transform interpolated(const LinkHistory::Sample& before,
   return X_PC;
 }
 
-/// But for the noise of a thing that stands still.
+/// Whether two poses are the same, except for the noise of something that stands still.
 bool isSamePose(const LinkHistory::Sample& a, const LinkHistory::Sample& b) {
   constexpr double kDistance = 1e-3;  // [m]
   constexpr double kAngle = 1e-3;     // [rad]
@@ -102,7 +102,7 @@ LinkHistory::Parent LinkHistory::parentAt(Stamp time) const {
   if (!is_held_ && time > last) return {kNoFrame, {last + kTick, Stamp::max()}};
   auto next = std::upper_bound(changes_.begin(), changes_.end(), time,
                                [](Stamp t, const Change& change) { return t < change.stamp; });
-  if (next == changes_.begin()) ++next;  // the first holds before it, too
+  if (next == changes_.begin()) ++next;  // the first one also holds before its time
   const Change& current = *std::prev(next);
   Validity validity{current.stamp, next == changes_.end() ? last : next->stamp - kTick};
   if (is_held_ && &current == &changes_.front()) validity.from = Stamp::min();
@@ -121,7 +121,7 @@ geometry_msgs::Transform LinkHistory::transformAt(Stamp time) const {
     const bool is_now = next != samples_.end() && next->stamp == time;
     return (is_now || next == samples_.begin() ? next : std::prev(next))->X_PC;
   }
-  // Between two others, tf2 interpolates at a sample's own time too.
+  // At the time of a sample that lies between two others, tf2 interpolates, too.
   const auto after = next->stamp == time ? std::next(next) : next;
   if (next == samples_.begin() || after == samples_.end()) return next->X_PC;
   const Sample& before = *std::prev(after);

@@ -22,14 +22,13 @@ struct Validity {
 struct Gap {
   Stamp from{0};
   Stamp until{0};
-  bool is_still = false;  ///< whether the pose is the same at both ends, but for noise
+  bool is_still = false;  ///< whether the pose is the same at both ends, except for noise
 
   [[nodiscard]] Duration length() const { return until - from; }
 };
 
-/// A frame's parent and its pose in it over time, by tf2's rules: nothing is
-/// known before the first and after the last sample; between two samples the parent is the earlier
-/// one's.
+/// A frame's parent, and the frame's pose in it, over time, by tf2's rules: nothing is known before
+/// the first and after the last sample; between two samples the parent is the earlier one's.
 class LinkHistory {
  public:
   struct Sample {
@@ -42,15 +41,15 @@ class LinkHistory {
     Validity validity;
   };
 
-  /// Never linked: a root.
+  /// A frame that never has a parent: a root.
   LinkHistory() = default;
 
   /// A link of `/tf_static`: holds at all times.
   [[nodiscard]] static LinkHistory fixedTo(FrameId parent,
                                            const geometry_msgs::Transform& X_PC = {});
 
-  /// A link of `/tf_static` that was changed: each value holds until the next one, the first also
-  /// before it.
+  /// A link of `/tf_static` that was changed: each value holds until the next one, the first one
+  /// also before its time.
   /// @param samples  at least one, with ascending stamps
   [[nodiscard]] static LinkHistory heldFrom(std::vector<Sample> samples);
 
@@ -60,14 +59,15 @@ class LinkHistory {
 
   [[nodiscard]] Parent parentAt(Stamp time) const;
 
-  /// X_PC, to the last bit as tf2 interpolates it, at a time at which parentAt() knows a parent.
+  /// X_PC at a time at which parentAt() knows a parent; matches tf2's interpolation to the last
+  /// bit.
   [[nodiscard]] geometry_msgs::Transform transformAt(Stamp time) const;
 
-  /// The samples between which tf2 interpolates; nothing where it need not: at a sample, for a
-  /// static link.
+  /// The interval between the samples between which tf2 interpolates; nothing if it need not: at a
+  /// sample, or for a static link.
   [[nodiscard]] std::optional<Gap> gapAt(Stamp time) const;
 
-  /// The median time from sample to sample; 0 where there is none.
+  /// The median time between consecutive samples; 0 if there are fewer than two.
   [[nodiscard]] Duration medianPeriod() const { return median_period_; }
 
   /// All parents that it ever had, in order of time.
@@ -85,7 +85,7 @@ class LinkHistory {
   bool is_held_ = false;  ///< rather than interpolated
   Samples samples_;
   Duration median_period_{0};
-  std::vector<Change> changes_;  ///< samples whose parent is another than that of the one before
+  std::vector<Change> changes_;  ///< samples whose parent differs from the previous sample's
 };
 
 }  // namespace synthetic_dataset::motion

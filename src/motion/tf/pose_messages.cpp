@@ -41,7 +41,8 @@ Transforms readPose(const Message& message, const std::string& frame) {
   return {transformOf(pose->header, frame, pose->pose)};
 }
 
-/// The poses of several things, which have no names: "person_0", "person_1", ... in their order.
+/// The poses of several things without names, which are numbered in order: "person_0", "person_1",
+/// ...
 Transforms readPoses(const Message& message, const std::string& frame) {
   const auto poses = message.instantiate<geometry_msgs::PoseArray>();
   Transforms transforms;
@@ -63,8 +64,8 @@ Transforms readTransform(const Message& message, const std::string& frame) {
   return {transform};
 }
 
-/// Models are named as they are; a link "model::link" is the frame "model/link". Both are in
-/// Gazebo's frame "world", and have no time stamps.
+/// A model's frame has the model's name; a link "model::link" has the frame "model/link". Both are
+/// in Gazebo's frame "world", and have no time stamps.
 Transforms readStates(const Message& message, const std::string& /*frame*/) {
   const auto states = message.instantiate<RecordedStates>();
   std_msgs::Header header;

@@ -22,7 +22,7 @@ std::string plain(const std::string& topic) { return withoutLeadingSlashes(topic
 
 std::string described(const BagTopic& topic) { return topic.name + " (" + topic.type + ")"; }
 
-/// The first of many.
+/// A list of names; of many, only the first ones.
 std::string someOf(const std::set<std::string>& names) {
   constexpr std::size_t kMost = 12;
   return base::listed({names.begin(), names.end()}, kMost);
@@ -45,19 +45,19 @@ std::string readableTypes() {
   return base::listed(types);
 }
 
-/// Joint states between those that were recorded, where a joint turns so far from one to the next
-/// that the shorter way between its poses would be the wrong one.
+/// Inserts joint states between the recorded ones if a joint turns so far between them that
+/// interpolation along the shorter way would be wrong.
 class DenseJoints {
  public:
-  /// @param unwrapped  joints whose angles go on counting beyond a turn; the angles of others jump
-  ///     by a turn, and mean the shorter way
+  /// @param unwrapped  joints whose angles keep counting beyond a turn; other joints' angles wrap
+  ///     around, and mean the shorter way
   explicit DenseJoints(std::set<std::string> unwrapped) : unwrapped_(std::move(unwrapped)) {}
 
-  /// The states up to this one, after the one that came before it.
+  /// The states after the previous message, up to and including this one.
   std::vector<sensor_msgs::JointState> upTo(const sensor_msgs::JointState& message) {
-    constexpr double kFar = 0.9 * 3.141592653589793;  // [rad]; slerp takes half a turn either way
+    constexpr double kFar = 0.9 * 3.141592653589793;  // [rad]; half a turn is ambiguous to slerp
     constexpr double kStep = 1.0;                     // [rad]
-    constexpr double kMost = 1000.0;                  // states; a propeller's are not worth more
+    constexpr double kMost = 1000.0;                  // states; enough even for a propeller
     double farthest = 0.0;
     std::vector<double> from(message.position.begin(), message.position.end());
     const std::size_t count = std::min(message.name.size(), message.position.size());
@@ -75,7 +75,7 @@ class DenseJoints {
       state.header.stamp = stamp_ + (message.header.stamp - stamp_) * share;
       for (std::size_t i = 0; i < count; ++i) {
         state.position[i] = from[i] + share * (message.position[i] - from[i]);
-        if (unwrapped_.count(message.name[i]) == 0) state.name[i].clear();  // as it was recorded
+        if (unwrapped_.count(message.name[i]) == 0) state.name[i].clear();  // is not interpolated
       }
       states.push_back(std::move(state));
     }
@@ -108,7 +108,7 @@ void PoseTopics::readNamed(const std::vector<PoseTopic>& named,
     try {
       nameTopic(each, robots);
     } catch (const ErrorList&) {
-      throw;  // of the bags
+      throw;  // about the bags
     } catch (const Error& error) {
       errors.push_back(std::string("pose_topics: ") + error.what());
     }
@@ -201,7 +201,7 @@ PoseTopics::GivenFrames PoseTopics::framesOf(const Source& source) {
 void PoseTopics::readLacking(const std::string& global_frame,
                              const std::vector<std::string>& frames) {
   const std::set<std::string> known = recording_.connectedWith(global_frame);
-  std::map<std::string, std::set<std::string>> lacking;  // with what each is connected
+  std::map<std::string, std::set<std::string>> lacking;  // the frames with which each is connected
   for (const std::string& frame : frames) {
     if (known.count(withoutLeadingSlashes(frame)) != 0) continue;
     lacking[frame] = recording_.connectedWith(frame);
@@ -233,7 +233,7 @@ void PoseTopics::readLacking(const std::string& global_frame,
   if (!has_tf && sources_of.empty() && lacking.size() == 1) readOnlyPose(lacking.begin()->first);
 }
 
-/// Reads the only topic that gives a frame.
+/// Reads the topic that gives a frame, if it is the only one.
 void PoseTopics::choose(const std::string& frame, const std::vector<Source>& sources,
                         const std::string& global_frame) {
   if (sources.size() == 1) {
@@ -250,7 +250,8 @@ void PoseTopics::choose(const std::string& frame, const std::vector<Source>& sou
                    "; pose_topics should name one, as in pose_topics: [" + topics.front() + "]");
 }
 
-/// A recording of one thing's poses alone needs no name for it.
+/// If the recording only has the poses of a single thing, the topic need not be named in the
+/// settings.
 void PoseTopics::readOnlyPose(const std::string& frame) {
   std::vector<Source> sources;
   for (const Source& source : unreadSources()) {
@@ -291,7 +292,7 @@ void PoseTopics::readJoints(const std::string& topic, const std::vector<JointedR
   const std::set<std::string> positions = jointsOf(topic);
   std::vector<JointFrames> moved;
   for (const JointedRobot& robot : robots) moved.emplace_back(robot, positions);
-  std::set<std::string> known;  // TF's own transforms are not doubled
+  std::set<std::string> known;  // TF already has these frames
   for (const JointFrames& each : moved) {
     for (const std::string& frame : each.frames()) {
       if (recording_.moves(frame)) known.insert(frame);

@@ -13,34 +13,34 @@
 
 namespace synthetic_dataset::motion {
 
-/// Adds frames of other topics than TF to a recording: of odometry, poses, Gazebo's states, and
+/// Adds frames from topics other than TF to a recording: from odometry, poses, Gazebo's states, and
 /// joint states.
 class PoseTopics {
  public:
-  /// @param bags, recording  have to outlive this; the recording has all of TF
+  /// @param bags, recording  have to outlive this; the recording already contains all of TF
   PoseTopics(BagReader& bags, TransformRecording& recording);
 
-  /// Reads topics that the settings name.
-  /// @param robots  whose joints joint states may move
-  /// @throws ErrorList: a topic that is not there, or of a type that cannot be read; a frame or an
-  ///     object that is missing
+  /// Reads the topics that the settings name.
+  /// @param robots  whose joints may be moved by joint states
+  /// @throws ErrorList if a topic does not exist, or is of a type that cannot be read; if a frame
+  ///     or an object is missing
   void readNamed(const std::vector<PoseTopic>& named, const std::vector<JointedRobot>& robots);
 
-  /// Reads the topics that give frames which the recording lacks, where there is one topic alone
-  /// for a frame.
+  /// Reads topics that give frames which the recording lacks, if there is only one topic for a
+  /// frame.
   /// @param frames  that should be connected with the global frame
   void readLacking(const std::string& global_frame, const std::vector<std::string>& frames);
 
-  /// Reads the joint states of robots whose links have no frames, where one topic alone has them.
+  /// Reads the joint states of robots whose links have no frames in TF, if only one topic has them.
   void readJoints(const std::vector<JointedRobot>& robots);
 
   /// Whether the recording has joint states.
   [[nodiscard]] bool hasJointStates() const;
 
-  /// What was read without being asked for, for the user.
+  /// What was read without being named in the settings, for the user.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
-  /// What could be read, for errors about frames that are missing.
+  /// What could be read in addition, for errors about missing frames.
   [[nodiscard]] const std::vector<std::string>& hints() const { return hints_; }
 
  private:
@@ -67,7 +67,8 @@ class PoseTopics {
   TransformRecording& recording_;
   std::set<std::string> read_;
   std::map<std::string, std::set<std::string>> joints_;     ///< by topic
-  std::map<std::string, std::set<std::string>> unwrapped_;  ///< of these: they turn on and on
+  std::map<std::string, std::set<std::string>> unwrapped_;  ///< those of these joints whose angles
+                                                            ///< exceed a turn
   std::vector<std::string> notes_;
   std::vector<std::string> hints_;
 };

@@ -12,10 +12,11 @@
 
 namespace synthetic_dataset::motion {
 
-/// When a message came, compared with others: by record time, but within a bag as they lie in the
-/// file. The record times of a simulation's clock go back when it is reset, the file does not.
+/// The order in which messages arrived: by record time, but within a bag by their order in the
+/// file. When a simulation is reset, record times of its clock go back, whereas the file only moves
+/// forward.
 struct Arrival {
-  Stamp not_before{0};  ///< the latest record time of the bag up to it
+  Stamp not_before{0};  ///< the bag's latest record time up to this message
   std::uint32_t bag = 0;
   MessagePlace place = 0;
 
@@ -24,14 +25,14 @@ struct Arrival {
   }
 };
 
-/// A transform, and how it came.
+/// A transform, and how it was recorded.
 struct RecordedTransform {
   geometry_msgs::TransformStamped transform;
   TransformKind kind = TransformKind::kMoving;
   std::string bag_file;
   Stamp recorded{0};
   Arrival arrival;
-  std::string publisher;  ///< the node's name; empty where the bag does not say
+  std::string publisher;  ///< the node's name; empty if the bag does not say
 };
 
 }  // namespace synthetic_dataset::motion

@@ -13,13 +13,14 @@ namespace {
 
 using Stamps = std::vector<ArrivedStamp>;
 
-/// Shorter steps back are of messages that overtook one another.
+/// Shorter steps back come from messages that overtook one another.
 constexpr Duration kLeastStepBack = std::chrono::milliseconds(100);
 /// This many transforms have to follow a step back, all with stamps from before it.
 constexpr std::size_t kLeastToFollow = 3;
-/// What has not returned after as many does not.
+/// If stamps have not returned after this many transforms, they never do.
 constexpr std::size_t kMostToFollow = 1000;
-/// A frame that returned as often has several publishers, and says nothing about the clock.
+/// A frame whose stamps returned more often has several publishers, and says nothing about the
+/// clock.
 constexpr std::size_t kMostReturns = 3;
 
 Duration medianPeriod(const Stamps& stamps) {
@@ -34,13 +35,13 @@ Duration medianPeriod(const Stamps& stamps) {
   return *middle;
 }
 
-/// What follows a step back.
+/// How stamps continue after a step back.
 struct AfterStepBack {
   bool returns = false;
-  std::size_t next = 0;  ///< from where to look on
+  std::size_t next = 0;  ///< where to continue the search
 };
 
-/// @param latest  the time from which it steps back to the transform `at`
+/// @param latest  the stamp from which it steps back to the transform `at`
 AfterStepBack follow(const Stamps& stamps, std::size_t at, Stamp latest) {
   const std::size_t end = std::min(stamps.size(), at + kMostToFollow);
   std::size_t i = at + 1;
@@ -52,7 +53,7 @@ AfterStepBack follow(const Stamps& stamps, std::size_t at, Stamp latest) {
   return {false, at + 1};
 }
 
-/// Where one frame's stamps drop and go on from there.
+/// The transforms at which one frame's stamps drop and go on from there.
 std::vector<Arrival> stepsBack(const Stamps& stamps) {
   std::vector<Arrival> steps;
   if (stamps.empty()) return steps;
@@ -83,7 +84,8 @@ struct Step {
   std::size_t frame;
 };
 
-/// Steps of different frames that belong together: each frame's next one begins another group.
+/// Groups steps of different frames that belong together: the next step of a frame that is already
+/// in a group begins another group.
 std::vector<std::vector<Step>> grouped(std::vector<Step> steps) {
   std::stable_sort(steps.begin(), steps.end(),
                    [](const Step& a, const Step& b) { return a.arrival < b.arrival; });
@@ -99,7 +101,7 @@ std::vector<std::vector<Step>> grouped(std::vector<Step> steps) {
   return groups;
 }
 
-/// Whether a frame has transforms on both sides of a time.
+/// Whether a frame has transforms before and after an arrival.
 bool spans(const Stamps& stamps, const Arrival& arrival) {
   if (stamps.empty() || !(stamps.front().arrival < arrival)) return false;
   const auto after = std::count_if(stamps.begin(), stamps.end(), [&](const ArrivedStamp& each) {
@@ -108,7 +110,7 @@ bool spans(const Stamps& stamps, const Arrival& arrival) {
   return static_cast<std::size_t>(after) >= kLeastToFollow;
 }
 
-/// What lies between two steps back.
+/// The transforms between two steps back.
 struct Part {
   std::vector<std::size_t> transforms;
   Duration clock_error{0};  ///< how far its stamps are from the recording's clock
@@ -200,7 +202,7 @@ std::vector<std::size_t> withoutMixedTimes(const std::vector<TimedTransform>& tr
     })->counts = true;
   }
   std::vector<std::size_t> kept;
-  Stamp end = Stamp::max();  // the first stamp of the parts after it
+  Stamp end = Stamp::max();  // the first stamp of the parts after the current one
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     if (!part->counts) continue;
     Stamp first = end;

@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::motion {
 
-/// A frame's transform in the order in which they came.
+/// The stamp of a frame's transform, and when it arrived.
 struct ArrivedStamp {
   Stamp stamp{0};
   Arrival arrival;
@@ -24,11 +24,11 @@ struct Stretch {
 
 /// Where a recording is cut because time goes back in it.
 struct Cuts {
-  /// The transform with which each frame's next stretch begins: by frame, one per cut, ascending.
+  /// The first transform of each frame after each cut: by frame, one per cut, ascending.
   std::vector<std::vector<Arrival>> of_frames;
-  std::vector<Arrival> all;  ///< the first of each cut, of any frame
+  std::vector<Arrival> all;  ///< the first of each cut over all frames
 
-  /// The steps back of single frames, by frame, while the stamps of most others go on; ascending.
+  /// Steps back of single frames while the stamps of most others go on; by frame, ascending.
   std::map<std::size_t, std::vector<Arrival>> alone;
 
   /// The index of the stretch to which a frame's transform belongs.
@@ -36,35 +36,37 @@ struct Cuts {
 };
 
 /// Finds where time goes back for good, as when a simulation is reset: the stamps of most frames
-/// drop at about the same time, and go on from there. What comes late, out of order, or from two
-/// publishers with different delays, returns to where it was and is not a cut.
-/// @param frames  of each frame, ascending by arrival, without repetitions of a transform
+/// drop at about the same time, and go on from there. Stamps of transforms that are late, out of
+/// order, or from two publishers with different delays return to where they were, which is not a
+/// cut.
+/// @param frames  the transforms of each frame, ascending by arrival, without repeated transforms
 [[nodiscard]] Cuts findCuts(const std::vector<std::vector<ArrivedStamp>>& frames);
 
 /// "0: 1.000 s to 9.000 s (8.000 s)", ... for messages.
 [[nodiscard]] std::string stretchList(const std::vector<Stretch>& stretches);
 
-/// The index of the longest.
+/// The index of the longest stretch.
 [[nodiscard]] std::size_t longestOf(const std::vector<Stretch>& stretches);
 
-/// Stamps that are less than this from the recording's clock have it.
+/// Stamps that differ less than this from the recording's clock count as being of that clock.
 inline constexpr Duration kSameClock = std::chrono::seconds(1);
 
-/// A transform of a frame, when it was and when it came.
+/// The times of a frame's transform: its stamp, when it was recorded, and when it arrived.
 struct TimedTransform {
   Stamp stamp{0};
   Stamp recorded{0};
   Arrival arrival;
 };
 
-/// Which of a frame's transforms count whose stamps go back while those of other frames go on, as
-/// when a sensor's clock is set: poses of before and after are never mixed. Of the parts between
-/// the steps back, those count that have the recording's clock (if none has, the one that comes
-/// next to it); of these, each from its first stamp on, and the one before it up to there.
+/// Selects the transforms to use of a frame whose stamps go back while those of other frames go on,
+/// as when a sensor's clock is set: poses from before and after are never mixed. Of the parts
+/// between the steps back, only those in the recording's clock are used (if there are none, the
+/// part that is nearest to it). Each of these counts from its first stamp on, and the one before it
+/// up to there.
 /// @param transforms  in any order
-/// @param steps  with which transforms the stamps go back, ascending
+/// @param steps  the transforms at which the stamps go back, ascending
 /// @param clock_offset  by how much the recording's stamps are behind its record times
-/// @return their indices, ascending
+/// @return the indices of the selected transforms, ascending
 [[nodiscard]] std::vector<std::size_t> withoutMixedTimes(
     const std::vector<TimedTransform>& transforms, const std::vector<Arrival>& steps,
     Duration clock_offset);

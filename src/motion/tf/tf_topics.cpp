@@ -19,7 +19,7 @@ std::string withSlash(const std::string& topic) {
 }
 
 struct Parts {
-  std::string space;  ///< "/robot1", or nothing
+  std::string space;  ///< "/robot1", or empty
   std::string name;   ///< "tf"
 };
 
@@ -47,7 +47,7 @@ std::vector<geometry_msgs::TransformStamped> transformsOf(const BagMessage& mess
 
 using Traits = ros::message_traits::MD5Sum<tf2_msgs::TFMessage>;
 
-/// By its checksum, as librosbag does: tf/tfMessage of tf version 1 has the same content.
+/// By the checksum, as in librosbag: tf/tfMessage of tf version 1 has the same content.
 bool hasTransforms(const BagTopic& topic) { return topic.md5sum == Traits::value(); }
 
 void add(const std::string& topic, TopicReaders& readers) {
@@ -112,7 +112,7 @@ bool anyMoves(const TopicReaders& readers) {
                      [](const auto& each) { return each.second.kind == TransformKind::kMoving; });
 }
 
-/// Adds the topics of the only namespace that has TF.
+/// Adds the topics of the only namespace that has TF; returns a note for the user.
 std::string addNamespace(const BagReader& bags, TopicReaders& readers) {
   std::map<std::string, std::vector<std::string>> spaces;
   for (const std::string& topic : topicsOfTf(bags)) {

@@ -8,17 +8,19 @@
 
 namespace synthetic_dataset::motion {
 
-/// The topics that have a recording's TF.
+/// The topics that contain a recording's TF.
 struct TfTopics {
   TopicReaders readers;
-  std::string note;  ///< that the user should know: other topics than usual; or empty
+  std::string note;  ///< for the user, if other topics than usual are read; or empty
   std::vector<std::string> ignored;  ///< topics of TF's type that are not read
 };
 
-/// Finds `/tf` and `/tf_static` (or `tf` and `tf_static`) in the bags, or, where there are none and
-/// one namespace alone has such topics, those of this namespace.
-/// @param named  topics that are read instead; a name that ends with tf_static is of static ones
-/// @throws ErrorList: messages of another type; a named topic that is not there; several namespaces
+/// Finds `/tf` and `/tf_static` (or `tf` and `tf_static`) in the bags, or, if there are none and
+/// only one namespace has such topics, those of that namespace.
+/// @param named  topics to read instead; one whose name ends with tf_static contains static
+///     transforms
+/// @throws ErrorList if messages are of another type, a named topic does not exist, or there are
+///     several namespaces
 [[nodiscard]] TfTopics findTfTopics(const BagReader& bags,
                                     const std::vector<std::string>& named = {});
 

@@ -30,7 +30,7 @@ template <class Before>
 std::vector<std::size_t> orderOf(std::size_t count, const Before& before) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), 0);
-  // Stable: what was recorded first stays first among equals.
+  // Stable: among equals, what was recorded first stays first.
   std::stable_sort(order.begin(), order.end(), before);
   return order;
 }
@@ -50,7 +50,7 @@ void TransformRecording::add(RecordedTransform added) {
 
   const Stamp stamp = toStamp(transform.header.stamp);
   bags_.try_emplace(added.arrival.bag, added.bag_file);
-  // Whether stamps of zero count is known at the end.
+  // Whether stamps of zero are usable is only known at the end.
   const TransformKind judged = stamp == Stamp{0} ? TransformKind::kStatic : added.kind;
   if (const auto reason = reasonToLeaveOut(transform, judged)) {
     left_out_.add(added.bag_file, parent_name, child_name, *reason, stamp);
@@ -62,12 +62,12 @@ void TransformRecording::add(RecordedTransform added) {
   if (is_new) histories_.push_back({child, added.kind, {}, {}});
   History& history = histories_[entry->second];
   if (history.kind == TransformKind::kStatic && own_kind != history.kind) history.is_moved = true;
-  // A static transform that is repeated says nothing new.
+  // A repeated static transform adds nothing.
   const bool is_repeated = history.kind == TransformKind::kStatic && !history.samples.empty() &&
                            history.samples.back().parent == parent &&
                            isSameTransform(history.samples.back().X_PC, transform.transform);
   if (is_repeated) return;
-  if (lastsOn(history, {stamp, parent, transform.transform}, added.recorded)) {
+  if (continuesRun(history, {stamp, parent, transform.transform}, added.recorded)) {
     history.sources.back() = {added.recorded, added.arrival, publisherOf(added.publisher)};
     return;
   }
@@ -75,16 +75,17 @@ void TransformRecording::add(RecordedTransform added) {
   history.sources.push_back({added.recorded, added.arrival, publisherOf(added.publisher)});
 }
 
-/// Messages without stamps, such as gazebo_msgs/LinkStates, hold all of a world at 1000 Hz, and
-/// most of it stands still: of equal values in a row, the first and the last say all.
-bool TransformRecording::lastsOn(const History& history, const Sample& next, Stamp recorded) {
+/// Whether a transform continues a run of equal values, of which only the first and the last are
+/// kept: messages without stamps, such as gazebo_msgs/LinkStates, contain a whole world at 1000 Hz,
+/// most of which stands still.
+bool TransformRecording::continuesRun(const History& history, const Sample& next, Stamp recorded) {
   const std::vector<Sample>& samples = history.samples;
   const std::size_t count = samples.size();
   if (next.stamp != Stamp{0} || count < 2) return false;
   const std::vector<Source>& sources = history.sources;
   const bool goes_on = sources[count - 2].recorded < sources[count - 1].recorded &&
                        sources[count - 1].recorded < recorded;
-  if (!goes_on) return false;  // a simulation's clock, for one
+  if (!goes_on) return false;  // for example in a simulation's clock
   const auto isSame = [&](const Sample& each) {
     return each.stamp == next.stamp && each.parent == next.parent && each.X_PC == next.X_PC;
   };
@@ -153,7 +154,8 @@ Duration TransformRecording::medianOffset() const {
   return *middle;
 }
 
-/// Where all stamps of a frame are zero, the record times stand in, in the others' clock.
+/// If all stamps of a frame are zero, replaces them by the record times, in the clock of the other
+/// stamps.
 void TransformRecording::finishStampsOfZero() {
   const bool other_clock = clock_offset_ >= kSameClock || clock_offset_ <= -kSameClock;
   const Duration offset = other_clock ? clock_offset_ : Duration{0};
@@ -254,7 +256,7 @@ void TransformRecording::findStretches(const Cuts& cuts) {
     }
   }
   for (Stretch& each : stretches_) {
-    if (each.first > each.last) each = {};  // of static transforms alone
+    if (each.first > each.last) each = {};  // only static transforms
   }
 }
 
@@ -268,7 +270,7 @@ void TransformRecording::keepMoving(const Cuts& cuts, std::size_t index) {
   history.sources = inOrder(history.sources, kept);
 }
 
-/// The last value of earlier stretches still holds; values of later ones do not hold yet.
+/// The last value of earlier stretches still holds; values of later stretches do not hold yet.
 void TransformRecording::keepStatic(const Cuts& cuts, History& history) {
   std::vector<std::size_t> kept;
   std::optional<std::size_t> before;
@@ -282,7 +284,7 @@ void TransformRecording::keepStatic(const Cuts& cuts, History& history) {
     if (stretch > stretch_ && !later) later = i;
   }
   if (before) {
-    history.samples[*before].stamp = Stamp{0};  // it held when the stretch began
+    history.samples[*before].stamp = Stamp{0};  // it already held when the stretch began
     kept.insert(kept.begin(), *before);
   }
   if (kept.empty()) kept.push_back(*later);
@@ -315,8 +317,8 @@ void TransformRecording::find(std::optional<FrameFinding> finding) {
   if (finding) findings_.push_back(*std::move(finding));
 }
 
-/// The stamps of static transforms may be anything: where one does not follow those before it, the
-/// record time stands in.
+/// The stamps of static transforms may be anything: if one is not after the previous one, the
+/// record time is used instead.
 void TransformRecording::timeStatic(History& history) {
   std::vector<Sample>& samples = history.samples;
   if (!isRosTime(samples.front().stamp)) samples.front().stamp = Stamp{0};
@@ -358,7 +360,7 @@ void TransformRecording::checkSpans() const {
     const auto [first, last] =
         std::minmax_element(history.samples.begin(), history.samples.end(),
                             [](const Sample& a, const Sample& b) { return a.stamp < b.stamp; });
-    if (last->stamp - first->stamp <= kLongest) continue;  // what ros::Duration can hold, 68 years
+    if (last->stamp - first->stamp <= kLongest) continue;  // ros::Duration holds 68 years
     errors.push_back("the time stamps of frame '" + tree_.names().of(history.child) + "' go from " +
                      secondsText(first->stamp) + " to " + secondsText(last->stamp) +
                      ": more than ROS can hold; one of them must be wrong");

@@ -16,32 +16,32 @@
 
 namespace synthetic_dataset::motion {
 
-/// Collects transforms and settles which of them count, by tf2's rules where these say something:
+/// Collects transforms and decides which of them count, by tf2's rules as far as these apply:
 /// - the first transform of a frame decides whether that frame is static or moving, for good;
 /// - of a moving frame's transforms with the same stamp, the first counts;
 /// - a static transform's first value also holds before it, each later one from its stamp on;
-/// - where time goes back, the recording is cut into stretches, of which one counts;
-/// - a frame all of whose stamps are zero has the record times in their place.
-/// What tf2 would refuse with a log line each is left out and named in notes().
+/// - where time goes back, the recording is cut into stretches, of which only one counts;
+/// - for a frame all of whose stamps are zero, the record times are used instead.
+/// Transforms that tf2 would reject with a log line each are left out and named in notes().
 class TransformRecording {
  public:
-  /// Transforms are added in the order of their record times.
+  /// Adds a transform; has to be called in the order of record times.
   void add(RecordedTransform added);
 
-  /// Whether nothing that counts was added.
+  /// Whether no usable transform was added.
   [[nodiscard]] bool empty() const { return histories_.empty(); }
 
   /// Whether a transform of this frame was added.
   [[nodiscard]] bool moves(const std::string& frame) const;
 
-  /// The frames that transforms connect with this one, itself among them, when it is left aside at
-  /// which times they are known.
+  /// The frames that transforms connect with this one, including itself, regardless of when the
+  /// transforms are known.
   [[nodiscard]] std::set<std::string> connectedWith(const std::string& frame) const;
 
-  /// Ends the recording, to be called once: which frame hung below which one, when and where.
-  /// @param stretch  that counts; nothing: the longest one
-  /// @throws ErrorList when there is no such stretch, or when a frame's stamps are further apart
-  ///     than any recording lasts
+  /// Ends the recording and returns its tree; to be called once.
+  /// @param stretch  the one that counts; nothing: the longest
+  /// @throws ErrorList if there is no such stretch, or if a frame's stamps are further apart than
+  ///     any recording lasts
   [[nodiscard]] FrameTree finish(std::optional<std::size_t> stretch = std::nullopt);
 
   /// What was left out and why.
@@ -49,7 +49,7 @@ class TransformRecording {
 
   // The finished recording:
 
-  /// Several, where time went back.
+  /// Several, if time went back.
   [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
   [[nodiscard]] std::size_t stretch() const { return stretch_; }
 
@@ -70,7 +70,7 @@ class TransformRecording {
     TransformKind kind;
     std::vector<LinkHistory::Sample> samples;
     std::vector<Source> sources;  ///< of the samples
-    bool is_moved = false;        ///< a static one, by transforms that are not
+    bool is_moved = false;        ///< for a static frame: `/tf` moves it, too
     std::vector<std::string> publishers{};
   };
 
@@ -78,8 +78,8 @@ class TransformRecording {
   void finishStampsOfZero();
   [[nodiscard]] Duration medianOffset() const;
   void cut(std::optional<std::size_t> stretch);
-  [[nodiscard]] static bool lastsOn(const History& history, const LinkHistory::Sample& next,
-                                    Stamp recorded);
+  [[nodiscard]] static bool continuesRun(const History& history, const LinkHistory::Sample& next,
+                                         Stamp recorded);
   void dropMixedTimes(History& history, const std::vector<Arrival>& steps);
   void findStretches(const Cuts& cuts);
   void keepMoving(const Cuts& cuts, std::size_t index);
@@ -94,9 +94,9 @@ class TransformRecording {
   FrameTree tree_;
   LeftOutTransforms left_out_;
   std::vector<History> histories_;
-  std::unordered_map<FrameId, std::size_t> history_of_;  ///< of a child frame
+  std::unordered_map<FrameId, std::size_t> history_of_;  ///< by child frame
   std::vector<std::string> publishers_;
-  std::unordered_map<std::uint32_t, std::string> bags_;  ///< their files
+  std::unordered_map<std::uint32_t, std::string> bags_;  ///< their files, by bag number
   std::vector<Stretch> stretches_;
   std::size_t stretch_ = 0;
   Duration clock_offset_{0};

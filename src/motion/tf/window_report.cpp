@@ -33,7 +33,7 @@ std::string unknownFrame(const FrameTree& tree, const std::string& role, const s
          (guess.empty() ? "; its frames are " + existingFrames(tree) : guess);
 }
 
-/// The frame at the top of the tree in which `frame` was last.
+/// The root of the tree to which `frame` belonged last.
 std::string topOf(const FrameTree& tree, FrameId frame) {
   std::set<FrameId> seen;  // a recording can hold loops
   while (seen.insert(frame).second) {
@@ -43,7 +43,7 @@ std::string topOf(const FrameTree& tree, FrameId frame) {
   return tree.names().of(frame);
 }
 
-/// "; `global_frame: odom` takes ...": where all other frames hang below a single one.
+/// "; `global_frame: odom` takes ...": if all other frames hang below a single one.
 std::string otherGlobalFrame(const FrameTree& tree, const std::vector<std::string>& frames) {
   std::set<std::string> tops;
   for (const std::string& frame : frames) {
@@ -80,7 +80,7 @@ std::string timesText(const Validity& times, Stamp start) {
   return exact + " (" + relative + " after the recording's start)";
 }
 
-/// How much of a part some times make up.
+/// The total length of the given times within a part.
 Duration lengthIn(const RecordedTimes& part, const std::vector<Validity>& times) {
   Duration length{0};
   for (const Validity& each : times) {
@@ -102,7 +102,7 @@ std::vector<Validity> linkedTimes(const LinkHistory& link) {
 }
 
 /// "TF has 'odom' in 'map' from 1.000 s to 3.000 s": of the links that lead to a frame, the one
-/// that is known the shortest.
+/// that is known for the shortest time.
 std::string linkToBlame(const FrameTree& tree, FrameId global, FrameId frame, Stamp known,
                         const RecordedTimes& part) {
   std::string text;

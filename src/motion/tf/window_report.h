@@ -10,8 +10,8 @@
 
 namespace synthetic_dataset::motion {
 
-/// What is wrong with the names alone: one message for each that the recording does not have, with
-/// those that it has and that are spelt nearly like it.
+/// Errors about the frames' names: one message for each frame that the recording does not have,
+/// with similarly spelt ones that it has.
 [[nodiscard]] std::vector<std::string> unknownFrames(const FrameTree& tree,
                                                      const std::string& global_frame,
                                                      const std::vector<std::string>& frames);
@@ -20,12 +20,12 @@ namespace synthetic_dataset::motion {
 /// recording's start)", ...
 [[nodiscard]] std::string stretchesText(const std::vector<Validity>& times, Stamp start);
 
-/// What frames that are not known all the time cost of a part of the recording; of links that are
-/// crossed, the one that is known the shortest is to blame.
+/// How much of a part of the recording is lost because frames are not known all the time; the
+/// crossed link that is known for the shortest time is to blame.
 [[nodiscard]] std::vector<FrameCost> frameCosts(const FrameTree& tree, const FramesToKnow& wanted,
                                                 const RecordedTimes& part);
 
-/// Why there is no time at which all frames are known: the times of each.
+/// Why there is no time at which all frames are known: lists the times at which each one is.
 [[nodiscard]] std::vector<std::string> whyNoWindow(const FrameTree& tree,
                                                    const FramesToKnow& wanted,
                                                    const RecordedTimes& recorded,

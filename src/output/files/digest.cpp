@@ -16,8 +16,8 @@ namespace synthetic_dataset::output {
 namespace {
 
 constexpr std::int64_t kMebibyte = std::int64_t{1} << 20;
-constexpr std::int64_t kReadWhole = 64 * kMebibyte;  // inputs above are looked at in part
-constexpr std::int64_t kPart = 32 * kMebibyte;       // at either end
+constexpr std::int64_t kReadWhole = 64 * kMebibyte;  // larger inputs are only read in part
+constexpr std::int64_t kPart = 32 * kMebibyte;       // at each end
 
 [[noreturn]] void failToRead(const std::string& path) {
   throw Error("cannot read '" + path + "': " + std::generic_category().message(errno));

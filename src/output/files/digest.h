@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::output {
 
-/// SHA-256 (FIPS 180-4) of bytes that come piece by piece.
+/// SHA-256 (FIPS 180-4) of bytes that arrive in pieces.
 class Digest {
  public:
   Digest();
@@ -17,7 +17,7 @@ class Digest {
 
   void add(std::string_view bytes);
 
-  /// 64 lower-case hexadecimal digits, as `sha256sum` prints them. Nothing may be added after it.
+  /// 64 lower-case hexadecimal digits, as printed by `sha256sum`. Nothing may be added afterwards.
   [[nodiscard]] std::string text();
 
  private:
@@ -25,7 +25,7 @@ class Digest {
   std::unique_ptr<State> state_;
 };
 
-/// Of bytes that are there as a whole.
+/// Digest of bytes that are all in memory.
 [[nodiscard]] std::string digestOf(std::string_view bytes);
 
 struct FileDigest {
@@ -33,12 +33,13 @@ struct FileDigest {
   std::string digest;
 };
 
-/// Of a file's content, read piece by piece.
+/// Digest of a file's content, read in pieces.
 /// @throws Error naming the file and why it cannot be read
 [[nodiscard]] FileDigest digestOfFile(const std::string& path);
 
-/// The same, but of files above 64 MiB that of their first and last 32 MiB: recordings may be too
-/// large to be read for it. The end of a bag lists the times and counts of all that it holds.
+/// Digest of an input. For files above 64 MiB it covers only the first and last 32 MiB, since
+/// recordings may be too large to read as a whole. The end of a bag lists the times and counts of
+/// everything in it.
 [[nodiscard]] FileDigest digestOfInput(const std::string& path);
 
 }  // namespace synthetic_dataset::output

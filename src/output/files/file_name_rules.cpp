@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Without symbolic links, as far as the path is there; empty where this cannot be known.
+/// Resolves symbolic links as far as the path exists; empty on failure.
 std::string withoutLinks(const std::string& path) {
   std::error_code error;
   const fs::path found = fs::weakly_canonical(path, error);

@@ -17,7 +17,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// The numbers of statfs(2).
+/// File system types as reported by statfs(2).
 constexpr std::array<std::uint32_t, 10> kLocalFileSystems = {
     0xEF53,      // ext2, ext3, ext4
     0x58465342,  // XFS
@@ -28,19 +28,19 @@ constexpr std::array<std::uint32_t, 10> kLocalFileSystems = {
     0x52654973,  // ReiserFS
     0x01021994,  // tmpfs
     0x858458F6,  // ramfs
-    0x794C7630,  // overlayfs, of containers
+    0x794C7630,  // overlayfs, used by containers
 };
 
 }  // namespace
 
-void syncDisks(const std::vector<std::string>& folders) {
+void syncFileSystems(const std::vector<std::string>& folders) {
   std::set<dev_t> done;
   for (const std::string& folder : folders) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     int failure = descriptor < 0 ? errno : 0;
     struct stat status = {};
     if (failure == 0 && ::fstat(descriptor, &status) != 0) failure = errno;
-    // One call a disk instead of one a file: a batch has some hundred files.
+    // One call per disk instead of one per file: a batch has several hundred files.
     if (failure == 0 && done.insert(status.st_dev).second && ::syncfs(descriptor) != 0) {
       failure = errno;
     }

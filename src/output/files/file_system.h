@@ -5,12 +5,12 @@
 
 namespace synthetic_dataset::output {
 
-/// Forces what was written so far to the disks on which these folders lie.
-/// @throws Error naming the folder whose disk does not take it
-void syncDisks(const std::vector<std::string>& folders);
+/// Forces everything written so far to the disks that hold these folders.
+/// @throws Error naming the folder whose disk fails
+void syncFileSystems(const std::vector<std::string>& folders);
 
-/// Whether a folder lies on a disk of this machine, where processes may share memory through files;
-/// file systems that are not known count as somebody else's (NFS, Lustre, FUSE, ...).
+/// Whether a folder is on a local disk of this machine, where processes can share memory through
+/// files; unknown file systems count as remote (NFS, Lustre, FUSE, ...).
 [[nodiscard]] bool isOnLocalDisk(const std::string& folder);
 
 }  // namespace synthetic_dataset::output

@@ -61,14 +61,14 @@ class OpenFile {
     }
   }
 
-  /// Some file systems report a full disk only here.
+  /// Reports errors too: some file systems notice a full disk only on closing.
   void close() {
     if (descriptor_ < 0) return;
     if (::close(descriptor_) != 0 && error_ == 0 && errno != EINTR) error_ = errno;
     descriptor_ = -1;
   }
 
-  /// Whether it, and no other file, has this path.
+  /// Whether this path refers to this very file.
   [[nodiscard]] bool isAt(const std::string& path) const {
     struct stat own {};
     struct stat there {};
@@ -81,7 +81,7 @@ class OpenFile {
     return ::fstat(descriptor_, &own) == 0 ? own.st_size : -1;
   }
 
-  /// `errno` of the first failure, 0 for none.
+  /// `errno` of the first failure, 0 if there was none.
   [[nodiscard]] int error() const { return error_; }
 
  private:
@@ -89,7 +89,7 @@ class OpenFile {
   int error_;
 };
 
-/// Lets a std::ostream write to a file whose errors can be reported.
+/// Lets a std::ostream write to an OpenFile, whose errors can be reported.
 class OpenFileBuffer : public std::streambuf {
  public:
   explicit OpenFileBuffer(OpenFile& file) : file_(file) {
@@ -135,7 +135,7 @@ std::string readWholeFile(const std::string& path) {
 }
 
 std::string temporaryPath(const std::string& path) {
-  const std::size_t name_begin = path.rfind('/') + 1;  // 0 where there is none
+  const std::size_t name_begin = path.rfind('/') + 1;  // 0 if there is none
   const std::string name = path.substr(name_begin);
   std::string end = ".tmp";
   if (1 + name.size() + end.size() > kLongestPendingName) {
@@ -148,7 +148,7 @@ std::string temporaryPath(const std::string& path) {
 PendingFile::PendingFile(std::string path)
     : path_(std::move(path)), temporary_path_(temporaryPath(path_)) {
   makeParentFolder(path_);
-  ::unlink(temporary_path_.c_str());  // of a killed run; it may be a link to a finished file
+  ::unlink(temporary_path_.c_str());  // left by a killed run; it may be a link to a finished file
 }
 
 PendingFile PendingFile::withBytes(const std::string& path, std::string_view bytes) {
@@ -176,9 +176,9 @@ PendingFile PendingFile::withContent(const std::string& path,
 PendingFile PendingFile::writtenBy(const std::string& path,
                                    const std::function<void(const std::string& file)>& write) {
   PendingFile pending(path);
-  // Nobody's file or link has its name now; who opens it by that name must come to the same one.
+  // The name is ours now, with no other file or link under it; whoever opens it must get this file.
   OpenFile own(pending.temporary_path_);
-  const char unwritten = '\0';  // gone once somebody opens the file to write it
+  const char unwritten = '\0';  // gone once `write` opens the file for writing
   own.write(&unwritten, 1);
   if (own.error() != 0) failToWrite(path, own.error());
   write(pending.temporary_path_);

@@ -11,28 +11,28 @@ namespace synthetic_dataset::output {
 
 /// A file that appears whole or not at all.
 ///
-/// Its content is written under a temporary name in the same folder; publish() gives it its name.
-/// Unless it is kept, it is removed at the end of this object's life, published or not.
+/// Its content is written under a temporary name in the same folder; publish() gives it its final
+/// name. The destructor removes the file, published or not, unless it is kept.
 class PendingFile {
  public:
-  /// All of these make the file's folder, and replace a temporary file that a killed run left.
+  /// All of these create the file's folder, and replace a temporary file left by a killed run.
   /// @throws Error naming the path and why it cannot be written
   static PendingFile withBytes(const std::string& path, std::string_view bytes);
 
   /// @throws whatever `content` throws, too
   static PendingFile withContent(const std::string& path, const DatasetOutput::Content& content);
 
-  /// What `write` makes of the file whose name it is given.
+  /// A file that `write` fills, given its temporary name.
   /// @throws whatever `write` throws, too
   static PendingFile writtenBy(const std::string& path,
                                const std::function<void(const std::string& file)>& write);
 
-  /// The same content as a file that is there: by a hard link, or by a copy.
+  /// A file with the same content as an existing one: by a hard link, or by a copy.
   static PendingFile linkedToFile(const std::string& original, const std::string& path);
 
-  /// The same content as another file that is not published yet: by a hard link, or by a copy where
-  /// the file system has none.
-  /// @param bytes  the other file's content
+  /// A file with the same content as another one that is not published yet: by a hard link, or by a
+  /// copy if the file system has no hard links.
+  /// @param bytes  content of the other file
   static PendingFile linkedTo(const PendingFile& other, const std::string& path,
                               std::string_view bytes);
 
@@ -40,16 +40,16 @@ class PendingFile {
   PendingFile& operator=(PendingFile&&) = delete;
   ~PendingFile();
 
-  /// Gives the file its name, in the place of a file that has it already.
+  /// Gives the file its final name, replacing a file that already has it.
   void publish();
 
-  /// The file is to stay.
+  /// Keeps the file when this object is destroyed.
   void keep();
 
   /// [bytes]
   [[nodiscard]] std::int64_t size() const { return size_; }
 
-  /// The name that it has until it is published.
+  /// The name of the file until it is published.
   [[nodiscard]] const std::string& temporaryName() const { return temporary_path_; }
 
  private:
@@ -66,8 +66,8 @@ class PendingFile {
 /// @throws Error naming the path and why it cannot be read
 [[nodiscard]] std::string readWholeFile(const std::string& path);
 
-/// The name that a file has until it is complete: hidden, in the same folder, and never longer than
-/// a file system allows.
+/// The name of a file until it is complete: hidden, in the same folder, and never longer than a
+/// file system allows.
 [[nodiscard]] std::string temporaryPath(const std::string& path);
 
 }  // namespace synthetic_dataset::output

@@ -14,8 +14,8 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Whether the open file is still the one of this name: who held the lock before may have removed
-/// it between our opening and our locking.
+/// Whether the open file is still the one with this name: the previous holder of the lock may have
+/// removed it between our opening and our locking.
 bool isFileOfName(int descriptor, const std::string& name) {
   struct stat opened = {};
   struct stat named = {};
@@ -59,7 +59,7 @@ RunLock::RunLock(const std::string& manifest) : file_(fileOf(manifest)) {
 }
 
 RunLock::~RunLock() {
-  ::unlink(file_.c_str());  // while it is locked: nobody else's
+  ::unlink(file_.c_str());  // while it is still locked, so it cannot be another run's
   ::close(descriptor_);
 }
 

@@ -35,7 +35,7 @@ std::optional<CameraModel> cameraAt(const base::SqliteStatement& row, int first,
     return CameraModel(width, height, intrinsics, row.real(first + 4), row.real(first + 5),
                        distortion);
   } catch (const Error&) {
-    return std::nullopt;  // of a size that no image has, say
+    return std::nullopt;  // for example an impossible image size
   }
 }
 

@@ -6,13 +6,13 @@
 #include "base/sqlite.h"
 #include "synthetic_dataset/camera_model.h"
 
-/// Calibrations in the manifest's tables.
+/// Reads and writes calibrations in the manifest's tables.
 namespace synthetic_dataset::output {
 
 /// The column `coefficients`.
 [[nodiscard]] std::string coefficientText(const Distortion& distortion);
 
-/// From nine columns, as both tables of cameras have them; nothing for a camera that cannot be.
+/// Reads nine columns, laid out as in both camera tables; nothing if the camera is not valid.
 [[nodiscard]] std::optional<CameraModel> cameraAt(const base::SqliteStatement& row, int first,
                                                   int width, int height);
 

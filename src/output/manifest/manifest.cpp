@@ -21,13 +21,13 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// What an open manifest promises the disk. With a write-ahead log a killed process costs nothing,
-/// and a power cut leaves an earlier state whole unless `synchronous` is OFF.
+/// Sets how durably an open manifest is written. With a write-ahead log, a killed process loses
+/// nothing, and a power cut leaves an earlier state intact unless `synchronous` is OFF.
 void applySettings(const base::SqliteDatabase& database, const std::string& folder, Sync sync) {
-  // Whoever reads the manifest meanwhile may hold it for a moment.
+  // A reader may hold a lock on the manifest for a moment.
   database.execute("PRAGMA busy_timeout = 20000");
-  // Other processes may read the log through shared memory, which machines do not share: on a
-  // network's file system the manifest is the run's alone while it writes.
+  // Other processes read the log through shared memory, which machines do not share: on a network
+  // file system the run keeps the manifest to itself while it writes.
   if (!isOnLocalDisk(folder)) database.execute("PRAGMA main.locking_mode = EXCLUSIVE");
   database.execute("PRAGMA journal_mode = WAL");
   database.execute(sync == Sync::kOff     ? "PRAGMA synchronous = OFF"
@@ -93,12 +93,12 @@ void insertWarnings(base::SqliteStatement& statement, std::int64_t scene,
   }
 }
 
-/// A manifest without scenes, at a place that is not its own yet.
+/// Makes a manifest without scenes, at a temporary path.
 void fillDatabase(const std::string& file, const std::string& folder,
                   const std::optional<Shard>& shard, const std::vector<StoreWriter>& writers,
                   const RunDescription& run) {
   base::SqliteDatabase database(file, base::SqliteDatabase::Mode::kCreate);
-  // Named since SQLite's default has changed once: equal runs make equal bytes.
+  // Set explicitly, since SQLite has changed its default before: equal runs must make equal bytes.
   database.execute("PRAGMA page_size = 4096");
   database.execute("PRAGMA journal_mode = MEMORY");
   database.execute("PRAGMA synchronous = OFF");
@@ -136,7 +136,7 @@ base::SqliteDatabase openDatabase(const std::string& folder, const std::optional
   return database;
 }
 
-/// Of no file: zeros.
+/// Zeros if there is no such file.
 std::pair<std::uint64_t, std::uint64_t> identityOf(const std::string& file) {
   struct stat status = {};
   if (::stat(file.c_str(), &status) != 0) return {};
@@ -160,7 +160,7 @@ std::optional<double> bottom(const std::optional<Box>& box) {
 
 Manifest Manifest::create(const std::string& folder, const std::optional<Shard>& shard, Sync sync,
                           const std::vector<StoreWriter>& writers, const RunDescription& run) {
-  // Under another name first: whatever kills the run, a manifest has all its tables.
+  // Under another name first: even if the run is killed, a manifest has all its tables.
   const std::string file = manifestFile(folder, shard);
   const std::string temporary = temporaryPath(file);
   ::unlink(temporary.c_str());
@@ -168,7 +168,7 @@ Manifest Manifest::create(const std::string& folder, const std::optional<Shard>&
     fillDatabase(temporary, folder, shard, writers, run);
     if (sync != Sync::kOff) syncFile(temporary);
     giveName(temporary, file);
-    if (sync != Sync::kOff) syncDisks({folder});
+    if (sync != Sync::kOff) syncFileSystems({folder});
   } catch (const Error&) {
     ::unlink(temporary.c_str());
     throw;
@@ -311,7 +311,7 @@ void Manifest::listScene(const SceneFacts& scene, const std::vector<PictureFacts
   transaction.commit();
 }
 
-void Manifest::leaveOutScene(const SceneFacts& scene) {
+void Manifest::recordSkippedScene(const SceneFacts& scene) {
   announceScene(scene, {});
   base::SqliteTransaction transaction(database_);
   truth_.insertPictureFit(scene);
@@ -333,7 +333,7 @@ bool Manifest::isInPlace() const { return identityOf(file_) == identity_; }
 
 namespace {
 
-/// SQLite itself does not wait here for those who read, as they may at any time.
+/// Retries, because SQLite does not wait for readers here, and there may be some at any time.
 void endLog(const base::SqliteDatabase& database) {
   constexpr int kMostTries = 1000;
   constexpr std::chrono::milliseconds kPause(20);
@@ -352,7 +352,7 @@ void endLog(const base::SqliteDatabase& database) {
 
 void Manifest::reopen() {
   database_.execute("UPDATE run SET value = 'running' WHERE key = 'state'");
-  // Each VACUUM counts it up; the manifest is to have the bytes of one that was finished once.
+  // Each VACUUM increments it; the manifest must end up with the bytes of one finished only once.
   base::SqliteStatement version(database_, "PRAGMA schema_version");
   const std::int64_t counted = version.step() ? version.integer(0) : 0;
   version.reset();
@@ -385,13 +385,13 @@ void Manifest::finish(const std::vector<Warning>& warnings) {
     vacuum.run(copy);
   }
   {
-    // Not in the manifest itself: killed in between, it would be complete and have other bytes.
+    // Not in the manifest itself: if killed in between, it would be complete but have other bytes.
     const base::SqliteDatabase rewritten(copy, base::SqliteDatabase::Mode::kExisting);
     rewritten.execute("PRAGMA journal_mode = MEMORY");
     rewritten.execute("UPDATE run SET value = 'complete' WHERE key = 'state'");
   }
   syncFile(copy);
-  // The log belongs to the file that is about to go; the new one would be read with it.
+  // The log belongs to the file that is about to be replaced; it would be read with the new one.
   endLog(database_);
   giveName(copy, file_);
 }

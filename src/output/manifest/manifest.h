@@ -24,58 +24,58 @@ struct ManifestFile {
   std::size_t writer = 0;
   std::int64_t bytes = 0;
   std::string digest = "";
-  std::optional<std::string> linked_to = {};  ///< absolute path of the file of the same content
+  std::optional<std::string> linked_to = {};  ///< absolute path of the file with the same content
 };
 
-/// From a row of path, writer, bytes, digest, linked_to of a manifest in this folder.
+/// Reads a row of path, writer, bytes, digest, linked_to from a manifest in this folder.
 [[nodiscard]] ManifestFile fileOf(const base::SqliteStatement& row, const std::string& folder);
 
-/// One writer's records of a channel, in scene order.
+/// Visits one writer's records of a channel, in scene order.
 void forEachRecordOf(const base::SqliteDatabase& database, std::size_t writer,
                      const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit);
 
-/// How far a scene has come. One that is left out has no files, and is complete.
+/// How far a scene has progressed. A scene that is left out has no files and counts as complete.
 enum class SceneState {
   kBegun,     ///< its files may be missing
   kWritten,   ///< all its files are there
-  kComplete,  ///< and are safe from a power cut
+  kComplete,  ///< and they are safe from a power cut
 };
 
-/// The list of what a dataset holds: an SQLite file that its run writes scene by scene.
+/// The list of what a dataset holds: an SQLite file that the run writes scene by scene.
 ///
-/// A scene's files are announced before they appear and the scene is listed when they all have:
-/// whatever kills a run, no file of it is unknown and no listed scene is incomplete.
+/// A scene's files are announced before they appear, and the scene is listed once they all have:
+/// however a run is killed, none of its files is unknown and no listed scene is incomplete.
 class Manifest {
  public:
-  /// Starts a manifest where there is none.
+  /// Starts a new manifest.
   /// @param folder  absolute and normalised; paths below it are listed relative to it
   static Manifest create(const std::string& folder, const std::optional<Shard>& shard, Sync sync,
                          const std::vector<StoreWriter>& writers, const RunDescription& run);
 
-  /// Opens an unfinished one, to go on with it.
+  /// Opens an unfinished manifest in order to resume it.
   /// @throws Error when it cannot be read
   static Manifest open(const std::string& folder, const std::optional<Shard>& shard, Sync sync);
 
-  /// @throws Error when one of them was announced before, or the scene is listed already
+  /// @throws Error if one of the files was announced before, or the scene is listed already
   void announceScene(const SceneFacts& scene, const std::vector<ManifestFile>& files);
 
-  /// The same of a file of the dataset as a whole.
+  /// Announces a file of the dataset as a whole.
   void announce(const ManifestFile& file);
 
-  /// Takes back a scene, or files, that were announced and do not exist.
+  /// Takes back a scene or files that were announced but do not exist.
   void withdrawScene(std::int64_t index);
   void withdraw(const std::string& path);
 
   /// Counts a scene as written.
-  /// @param pictures  what is known of the scene's own
+  /// @param pictures  facts about the scene's own pictures
   void listScene(const SceneFacts& scene, const std::vector<PictureFacts>& pictures,
                  const std::vector<SceneFiles::Record>& records);
 
-  /// Lists a scene of which there are no files, as its labels are not good enough.
-  void leaveOutScene(const SceneFacts& scene);
+  /// Lists a scene without files, because its labels are not good enough.
+  void recordSkippedScene(const SceneFacts& scene);
 
-  /// All written scenes are safe from a power cut now.
+  /// Marks all written scenes as safe from a power cut.
   void markComplete();
 
   /// Whether a writer made this file for a scene.
@@ -84,13 +84,13 @@ class Manifest {
 
   void setContent(const std::string& path, std::int64_t bytes, const std::string& digest);
 
-  /// One writer's records of a channel, in scene order.
+  /// Visits one writer's records of a channel, in scene order.
   void forEachRecord(std::size_t writer, const std::string& channel,
                      const std::function<void(std::int64_t, const std::string&)>& visit) const;
 
   [[nodiscard]] std::map<std::int64_t, SceneState> sceneStates() const;
 
-  /// @param scene  nothing: the files of the dataset as a whole
+  /// @param scene  nothing for the files of the dataset as a whole
   [[nodiscard]] std::vector<ManifestFile> filesOfScene(std::optional<std::int64_t> scene) const;
 
   [[nodiscard]] StoreCounts counts() const;
@@ -98,22 +98,22 @@ class Manifest {
   [[nodiscard]] std::vector<ObjectCounts> objectCounts() const;
   [[nodiscard]] std::vector<SplitCounts> splitCounts() const;
 
-  /// Makes a file of a shard's dataset a file of this one.
+  /// Makes a file of a shard's dataset a file of this dataset.
   using PlaceFile = std::function<void(const std::string& source, const ManifestFile& target)>;
 
-  /// Takes in the scenes of a shard's manifest that are not here yet.
-  /// @param place  called for each file that does not lie where it should already
-  void takeIn(const std::string& shard_folder, const Shard& shard, const PlaceFile& place);
+  /// Adds the scenes of a shard's manifest that are not in this one yet.
+  /// @param place  called for each file that is not already in its place
+  void mergeShard(const std::string& shard_folder, const Shard& shard, const PlaceFile& place);
 
-  /// Sets the state back to running, of a dataset that is complete but for files that have gone.
+  /// Sets the state of a dataset that is complete except for lost files back to running.
   void reopen();
 
-  /// Sets the state to complete and writes the file anew, so that its bytes follow from what it
-  /// lists and not from how that came about. Nothing may be written after it; it still answers.
-  /// @param warnings  of the run as a whole, known at its end; those that are listed stay
+  /// Sets the state to complete and rewrites the file, so that its bytes depend only on what it
+  /// lists and not on how it came about. Nothing may be written afterwards; reading still works.
+  /// @param warnings  about the run as a whole, known only at its end; those already listed stay
   void finish(const std::vector<Warning>& warnings = {});
 
-  /// Whether the file that is written to is still the one of the manifest's name.
+  /// Whether the open file is still the one under the manifest's name.
   [[nodiscard]] bool isInPlace() const;
 
   [[nodiscard]] const std::string& file() const { return file_; }
@@ -131,7 +131,7 @@ class Manifest {
 
   std::string folder_;
   std::string file_;
-  std::pair<std::uint64_t, std::uint64_t> identity_;  ///< device and number of the file
+  std::pair<std::uint64_t, std::uint64_t> identity_;  ///< device and inode of the file
   base::SqliteDatabase database_;
   base::SqliteStatement insert_file_;
   base::SqliteStatement find_file_;

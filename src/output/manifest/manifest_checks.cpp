@@ -11,16 +11,16 @@
 namespace synthetic_dataset::output {
 namespace {
 
-constexpr int kNamed = 3;  // of many of a kind, in a line
+constexpr int kNamed = 3;  // examples named in one line
 
-/// A database's tables as they were made.
+/// The SQL definitions of a database's tables.
 std::vector<std::string> schemaOf(const base::SqliteDatabase& database) {
   return base::textsOf(database,
                        "SELECT type || ' ' || name || ' ' || tbl_name || ' ' || coalesce(sql, '') "
                        "FROM sqlite_master ORDER BY type, name");
 }
 
-/// The same without constraints other than keys: those of earlier versions are others.
+/// The tables' columns and keys, without other constraints: those of earlier versions differ.
 std::vector<std::string> columnsOf(const base::SqliteDatabase& database) {
   return base::textsOf(
       database,
@@ -30,8 +30,8 @@ std::vector<std::string> columnsOf(const base::SqliteDatabase& database) {
       "WHERE m.name NOT LIKE 'sqlite_autoindex_%' ORDER BY m.type, m.name, c.cid");
 }
 
-/// A column's values that are of another kind than it is declared for, or are infinite: SQLite
-/// itself takes any.
+/// Reports values whose type is not the one declared for the column, or that are infinite: SQLite
+/// itself accepts any.
 void checkKinds(const base::SqliteDatabase& database, std::vector<std::string>& problems) {
   base::SqliteStatement columns(
       database,
@@ -84,7 +84,7 @@ std::vector<std::string> findStructureProblems(const base::SqliteDatabase& datab
   return problems;
 }
 
-/// The run's facts one by one.
+/// Checks the run's facts one by one.
 void checkRun(const base::SqliteDatabase& database, const std::string& manifest,
               const ManifestContent& content, std::vector<std::string>& problems) {
   std::map<std::string, std::string> facts;
@@ -108,7 +108,7 @@ void checkRun(const base::SqliteDatabase& database, const std::string& manifest,
     problems.push_back("run: found the unknown key '" + key + "'");
 }
 
-/// The first few of numbers that come one by one.
+/// The first few of a sequence of numbers.
 class FewNumbers {
  public:
   void add(std::int64_t number) {
@@ -123,7 +123,7 @@ class FewNumbers {
   std::string text_;
 };
 
-/// Whether the scenes are those of the run or its shard, all of them where it is complete.
+/// Checks that the scenes are those of the run or its shard, and all of them if it is complete.
 void checkScenes(const base::SqliteDatabase& database, const ManifestContent& content,
                  std::vector<std::string>& problems) {
   const auto cameras =
@@ -135,7 +135,7 @@ void checkScenes(const base::SqliteDatabase& database, const ManifestContent& co
   };
   FewNumbers missing;
   FewNumbers foreign;
-  std::int64_t next = 0;  // all own ones before have been seen
+  std::int64_t next = 0;  // all of the run's own scenes below this index have been seen
   const auto expectUntil = [&](std::int64_t end) {
     for (; next < end && !missing.isFull(); ++next) {
       if (isOwn(next)) missing.add(next);

@@ -7,16 +7,16 @@
 #include "base/sqlite.h"
 #include "output/manifest/manifest_content.h"
 
-/// What is wrong with a manifest itself, whatever the files are like that it lists: a line each.
+/// Checks a manifest itself, whatever state its files are in: returns one line for each problem.
 namespace synthetic_dataset::output {
 
-/// Damage that keeps a manifest from being read: SQLite finds its file broken, it has another
-/// version, other tables, or values of other kinds than the tables are made for.
+/// Damage that keeps a manifest from being read: SQLite finds the file corrupt, or it has another
+/// version, other tables, or values of other types than the tables expect.
 /// @param manifest  its path
 [[nodiscard]] std::vector<std::string> structureProblems(const std::string& manifest);
 
-/// Of a manifest of the right structure: what the run's facts, scenes and rows do not agree in.
-/// @param content  what `readWithoutFiles` says of it
+/// For a manifest with a valid structure: inconsistencies between the run's facts, scenes and rows.
+/// @param content  what `readWithoutFiles` returns for it
 [[nodiscard]] std::vector<std::string> contentProblems(const std::string& manifest,
                                                        const ManifestContent& content);
 

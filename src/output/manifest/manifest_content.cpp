@@ -14,7 +14,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-constexpr std::int64_t kMostShards = 100000;  // more are none of this software's
+constexpr std::int64_t kMostShards = 100000;  // this software never makes more
 
 template <class Visit>
 void forEachRow(const base::SqliteDatabase& database, const char* sql, const Visit& visit) {
@@ -41,7 +41,7 @@ void checkWholeness(const base::SqliteDatabase& database) {
     for (const std::string& problem : brokenRows(database)) finding += "; " + problem;
     throw Error("it is damaged: " + finding);
   }
-  // A table that is gone is damage, too, even where nobody asks for it now.
+  // A missing table is damage, too, even if nothing reads from it now.
   std::vector<std::string> tables = truthTablesOfScenes();
   if (!isCurrent(database)) tables.clear();
   for (const char* table :
@@ -121,7 +121,7 @@ std::vector<StoreWriter> readWriters(const base::SqliteDatabase& database,
   return writers;
 }
 
-/// Facts that follow from others, or are one of few words.
+/// Checks facts that follow from others or have few possible values.
 void checkFacts(const base::SqliteDatabase& database, const RunDescription& run) {
   std::map<std::string, std::string> facts;
   forEachRow(database, "SELECT key, value FROM run",

@@ -12,28 +12,28 @@
 
 namespace synthetic_dataset::output {
 
-/// What an earlier run's manifest says, read at once.
+/// The content of an earlier run's manifest, read in one go.
 struct ManifestContent {
   bool complete = false;
-  bool is_current = false;       ///< whether its tables are those of this software, with the truth
-  std::int64_t scene_count = 0;  ///< that are there
+  bool is_current = false;       ///< whether its tables are this software's version, with the truth
+  std::int64_t scene_count = 0;  ///< number of scenes that are there
   std::optional<Shard> shard;
   RunDescription run;
   std::vector<StoreWriter> writers;  ///< their folders are absolute; without user files
   std::vector<std::string> files;    ///< absolute
 };
 
-/// Whether the list of a dataset's files is read, which may be long.
+/// Whether to read the list of a dataset's files, which may be long.
 enum class ManifestFiles { kRead, kLeftOut };
 
 /// @param file  the absolute path of a manifest
-/// @throws Error when it is no manifest of this version, or damaged; where files are left out, only
-///     what is read is looked at
+/// @throws Error if it is not a manifest of a known version, or is damaged; if files are left out,
+///     only what is read is checked
 [[nodiscard]] ManifestContent readManifest(const std::string& file,
                                            ManifestFiles files = ManifestFiles::kRead);
 
-/// The same of an open manifest of this version, without the list of files.
-/// @param folder  the manifest's, absolute
+/// Reads an open manifest of a known version, without the list of files.
+/// @param folder  of the manifest, absolute
 [[nodiscard]] ManifestContent readWithoutFiles(const base::SqliteDatabase& database,
                                                const std::string& folder);
 

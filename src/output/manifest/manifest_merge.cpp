@@ -1,4 +1,4 @@
-/// Taking the scenes of shards in.
+/// Takes in the scenes of shards.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Tables that say more of scenes, by their column `scene`.
+/// Tables with further data about scenes, by their column `scene`.
 std::vector<std::string> measures() {
   std::vector<std::string> tables = {"scene_object", "contact", "draw", "record", "warning"};
   const std::vector<std::string>& truth = truthTablesOfScenes();
@@ -22,7 +22,7 @@ std::string copying(const std::string& table, const std::string& condition) {
   return "INSERT INTO main." + table + " SELECT * FROM shard." + table + " WHERE " + condition;
 }
 
-/// Another manifest of the same tables, known as `shard` to a connection.
+/// Another manifest with the same tables, attached to a connection as `shard`.
 class Attached {
  public:
   Attached(const base::SqliteDatabase& database, const std::string& file) : database_(database) {
@@ -34,7 +34,7 @@ class Attached {
     try {
       database_.execute("DETACH shard");
     } catch (const Error&) {
-      // A failure is on its way up already; the connection's end detaches as well.
+      // Another error is already being thrown; closing the connection detaches as well.
     }
   }
 
@@ -44,11 +44,12 @@ class Attached {
 
 }  // namespace
 
-void Manifest::takeIn(const std::string& shard_folder, const Shard& shard, const PlaceFile& place) {
+void Manifest::mergeShard(const std::string& shard_folder, const Shard& shard,
+                          const PlaceFile& place) {
   const Attached attached(database_, manifestFile(shard_folder, shard));
   const std::string missing = "NOT IN (SELECT \"index\" FROM main.scene)";
   if (shard_folder == folder_) {
-    // All files are in their places: one change from nothing to all.
+    // All files are already in place, so everything can be added in one transaction.
     base::SqliteTransaction transaction(database_);
     for (const std::string& table : measures()) {
       database_.execute(copying(table, "scene >= 0 AND scene " + missing));
@@ -74,7 +75,7 @@ void Manifest::takeInSceneOf(const std::string& shard_folder, std::int64_t index
     ManifestFile target;
   };
   std::vector<Move> moves;
-  std::vector<ManifestFile> in_place;  // of writers that have one folder for all shards
+  std::vector<ManifestFile> in_place;  // files of writers that use the same folder for all shards
   base::SqliteStatement rows(
       database_, "SELECT path, writer, bytes, digest, linked_to FROM shard.file WHERE scene = ?");
   for (rows.start(index); rows.step();) {

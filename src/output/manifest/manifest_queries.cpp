@@ -1,4 +1,4 @@
-/// What a manifest that is being written answers.
+/// Queries on a manifest that is being written.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Of a row of scene_object: whether the object should have a label (ObjectCounts::labelled).
+/// Condition on a row of scene_object: the object should have a label (ObjectCounts::labelled).
 const std::string kIsLabelled = "NOT dropped AND coalesce(visible_pixels > 0, in_view)";
 
 SceneState stateOf(const std::string& text) {

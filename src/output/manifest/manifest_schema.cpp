@@ -14,15 +14,15 @@ std::string shardText(const Shard& shard) {
 
 bool belongsTo(const Shard& shard, std::int64_t instant, std::int64_t instant_count) {
   constexpr std::int64_t kLongestBlock = 64;  // instants
-  constexpr std::int64_t kBlocksOfEach = 4;   // at least, where there are so many instants
+  constexpr std::int64_t kBlocksOfEach = 4;   // per shard, at least, if there are enough instants
   const std::int64_t block =
       std::clamp<std::int64_t>(instant_count / (shard.count * kBlocksOfEach), 1, kLongestBlock);
   return instant / block % shard.count == shard.index;
 }
 
-// References are looked at when a manifest is verified, not while it is written: a shard's tables
-// are taken in one after another. What a constraint computes anew, in another order than the run
-// did, may differ in its last bits.
+// References are checked when a manifest is verified, not while it is written, because a shard's
+// tables are copied one after another. Constraints that recompute a value may do so in another
+// order than the run did, so they allow for a difference in the last bits.
 const char* const kManifestTables = R"sql(
   CREATE TABLE run (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
   CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL,

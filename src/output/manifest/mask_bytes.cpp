@@ -15,7 +15,7 @@ void append(std::uint64_t number, std::string& bytes) {
   bytes += static_cast<char>(number);
 }
 
-/// Takes numbers from the front of bytes.
+/// Reads numbers one after another from a string of bytes.
 class Numbers {
  public:
   explicit Numbers(std::string_view bytes) : bytes_(bytes) {}
@@ -24,7 +24,7 @@ class Numbers {
 
   std::int64_t next() {
     std::uint64_t number = 0;
-    for (unsigned shift = 0; shift < 35; shift += 7) {  // no image has as many pixels
+    for (unsigned shift = 0; shift < 35; shift += 7) {  // 35 bits: more than any image has pixels
       if (isAtEnd()) break;
       const auto byte = static_cast<unsigned char>(bytes_[at_++]);
       number |= static_cast<std::uint64_t>(byte & 0x7FU) << shift;

@@ -29,7 +29,7 @@ std::vector<float> depthCells(const cv::Mat& depth) {
   return cells;
 }
 
-/// @param labels  of a cloud (base::cloudPictures)
+/// @param labels  of a point cloud (base::cloudPictures)
 std::vector<float> pointCounts(const cv::Mat_<cv::Vec3w>& labels) {
   std::vector<float> counts;
   for (const cv::Vec3w& label : labels) {
@@ -69,7 +69,7 @@ cv::Mat depthNumbers(const cv::Mat& depth, double per_metre) {
     const auto* from = depth.ptr<float>(row);
     std::uint16_t* to = numbers[row];
     for (int column = 0; column < depth.cols; ++column) {
-      // Cut off, this is the nearest number: what is below 1 has none.
+      // Truncation turns this into the nearest integer; results below 1 count as no depth.
       const double number = double{from[column]} * per_metre + 0.5;
       to[column] = number >= 1.0 && number < kTooGreat
                        ? static_cast<std::uint16_t>(static_cast<int>(number))

@@ -10,16 +10,16 @@
 
 #include "synthetic_dataset/errors.h"
 
-/// Numbers as the manifest takes them.
+/// Converts numbers to the forms that the manifest stores.
 namespace synthetic_dataset::output {
 
-/// As SQLite takes it.
+/// An index as SQLite stores it.
 [[nodiscard]] inline std::int64_t signedIndex(std::size_t index) {
   return static_cast<std::int64_t>(index);
 }
 
-/// Numbers as they lie in memory; the systems that this runs on agree (IEEE 754, lowest byte
-/// first).
+/// Appends a number as it is in memory; all systems that this runs on agree (IEEE 754,
+/// little-endian).
 template <class Number>
 void appendRaw(const Number& number, std::string& bytes) {
   static_assert(std::is_arithmetic_v<Number>);
@@ -28,7 +28,7 @@ void appendRaw(const Number& number, std::string& bytes) {
   bytes.append(raw.data(), raw.size());
 }
 
-/// Takes numbers from the front of bytes.
+/// Reads numbers one after another from a string of bytes.
 class RawNumbers {
  public:
   explicit RawNumbers(std::string bytes) : bytes_(std::move(bytes)) {}

@@ -9,10 +9,10 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// A fault that shows when several rows are looked at, so that no table's constraint can say it.
+/// A fault that only shows across several rows, so that a table's constraint cannot express it.
 struct Query {
   const char* fault;
-  const char* rows;  ///< SQL for a text that names each row that has it
+  const char* rows;  ///< SQL that yields a text naming each faulty row
 };
 
 constexpr Query kQueries[] = {
@@ -38,14 +38,14 @@ constexpr Query kQueries[] = {
      "SELECT 'scene ' || scene || ' object ' || object FROM scene_object m JOIN scene s ON "
      "s.\"index\" = scene WHERE abs((m.x - s.x) * (m.x - s.x) + (m.y - s.y) * (m.y - s.y) + "
      "(m.z - s.z) * (m.z - s.z) - distance * distance) > 1e-6 * (1 + distance * distance)"},
-    // No constraint: SQLite may have json_valid from elsewhere, and does not trust a file's use of
-    // it.
+    // Not a constraint: json_valid may come from an extension, which SQLite does not trust when the
+    // schema of a file uses it.
     {"draw: values that are not JSON",
      "SELECT 'scene ' || scene || ' ' || name FROM draw WHERE NOT json_valid(value)"},
     {"file: linked to what is no listed file of the same size and digest",
      "SELECT path FROM file f WHERE linked_to NOT NULL AND NOT EXISTS (SELECT 1 FROM file t WHERE "
      "t.path = f.linked_to AND t.bytes = f.bytes AND t.digest = f.digest)"},
-    {"file: digests that are missing",  // a file of the whole dataset is listed before it is there
+    {"file: digests that are missing",  // a file of the whole dataset is listed before it exists
      "SELECT path FROM file WHERE digest = '' AND (scene NOT NULL OR (SELECT value FROM run WHERE "
      "key = 'state') = 'complete')"},
     {"warning: scenes that the table scene does not have",
@@ -59,7 +59,7 @@ constexpr Query kQueries[] = {
      "coalesce(sum(instant_count), 0) FROM motion) * (SELECT max(1, count(*)) FROM camera)"},
 };
 
-/// The first few of the rows that have a fault.
+/// The first few of the rows with a fault.
 class FewRows {
  public:
   void add(const std::string& row) {
@@ -81,12 +81,12 @@ std::string joined(const std::vector<std::string>& texts, const std::string& bet
   return all;
 }
 
-/// A table as this version has it.
+/// A table as defined in this version.
 struct Table {
   std::string name;
   std::vector<std::string> columns;  ///< in quotes
   std::vector<std::string> key;      ///< columns, in quotes
-  std::string row;                   ///< SQL for a text that names a row by its key
+  std::string row;                   ///< SQL for a text that identifies a row by its key
 };
 
 Table describe(const base::SqliteDatabase& tables, const std::string& name) {
@@ -95,7 +95,7 @@ Table describe(const base::SqliteDatabase& tables, const std::string& name) {
   const std::string quoted = R"('"' || name || '"')";
   Table table{name, base::textsOf(tables, "SELECT " + quoted + from + "ORDER BY cid"),
               base::textsOf(tables, "SELECT " + quoted + of_key), ""};
-  // "scene 3 object 0", "scene 3", or a text that says enough alone.
+  // "scene 3 object 0", "scene 3", or only a text if it is clear enough.
   if (table.key.size() > 1) {
     const std::string named = R"('''' || name || ' '' || ' || )" + quoted;
     table.row = joined(base::textsOf(tables, "SELECT " + named + of_key), " || ' ' || ");
@@ -106,7 +106,7 @@ Table describe(const base::SqliteDatabase& tables, const std::string& name) {
   return table;
 }
 
-/// Holds a manifest's rows against the tables of this version.
+/// Checks a manifest's rows against the tables of this version.
 class RowChecker {
  public:
   explicit RowChecker(const base::SqliteDatabase& database)
@@ -125,7 +125,7 @@ class RowChecker {
     copy_.execute("BEGIN");
   }
 
-  /// Finds the rows that cannot be copied into tables that have this version's constraints.
+  /// Finds the rows that cannot be copied into tables with this version's constraints.
   void checkConstraints() {
     for (const Table& table : with_constraints_) {
       const std::vector<std::string> values(table.columns.size(), "?");

@@ -7,15 +7,15 @@
 
 namespace synthetic_dataset::output {
 
-/// Rows that break their table's constraints, in a manifest of any version: a line for each
-/// constraint, with the first few of its rows. SQLite's own check of a file names the table alone.
+/// Rows that violate their table's constraints, in a manifest of any version: a line for each
+/// constraint, naming the first few rows. SQLite's own check of a file names only the table.
 [[nodiscard]] std::vector<std::string> brokenRows(const base::SqliteDatabase& database);
 
-/// These, and other rows that no run writes: that point nowhere, have gaps in their numbers or
-/// contradict one another.
+/// Those rows, and others that no run writes: with references that point nowhere, gaps in their
+/// numbering, or contradictions.
 [[nodiscard]] std::vector<std::string> rowProblems(const base::SqliteDatabase& database);
 
-/// "3, 7, 9 and 12 more": the first few of what a query finds, a column of text; empty for none.
+/// "3, 7, 9 and 12 more": the first few results of a query with one text column; empty if none.
 [[nodiscard]] std::string firstRows(const base::SqliteDatabase& database, const std::string& sql);
 
 }  // namespace synthetic_dataset::output

@@ -9,8 +9,8 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Entries that stand on one side only, or differ.
-/// @param text  what an entry is described by
+/// Lists entries that exist on one side only, or differ.
+/// @param text  describes an entry
 template <class Entries, class Text>
 void compare(const std::string& what, const Entries& one, const Entries& other,
              const std::string& before, const std::string& now, const Text& text,

@@ -14,17 +14,17 @@ namespace synthetic_dataset::output {
 
 using base::Warning;
 
-/// What a run is made of, as its manifest lists it: equal descriptions make equal datasets.
+/// What determines a run, as its manifest lists it: equal descriptions make equal datasets.
 struct RunDescription {
   struct Setting {
     std::string value;        ///< JSON
-    bool is_default = false;  ///< nobody gave it
+    bool is_default = false;  ///< not set by the user
   };
   struct Input {
     std::int64_t bytes = 0;
     std::string digest;
   };
-  /// Who made an input, and what may be done with it, with the files that say so.
+  /// The author and licence of an input, and the files that state them.
   struct Credit {
     std::string author;
     std::string author_in;
@@ -58,14 +58,14 @@ struct RunDescription {
     std::vector<std::string> keypoint_names = {};           ///< as ObjectInfo
     std::vector<std::array<std::size_t, 2>> skeleton = {};  ///< as ObjectInfo
     bool model_varies = false;                              ///< as ObjectInfo
-    std::optional<ObjectModel> model = {};                  ///< where a writer has asked for it
+    std::optional<ObjectModel> model = {};                  ///< if a writer has asked for it
     std::vector<std::string> part_names = {};               ///< as ObjectInfo
   };
 
   std::map<std::string, Setting> settings = {};      ///< by full name
   std::map<std::string, std::string> software = {};  ///< name to version
   std::map<std::string, Input> inputs = {};          ///< by absolute path
-  std::map<std::string, Credit> credits = {};        ///< of inputs, where a file says something
+  std::map<std::string, Credit> credits = {};        ///< of inputs, where a file states any
   std::vector<Class> classes = {};
   std::vector<std::string> world_classes = {};  ///< as DatasetInfo
   std::vector<Motion> motions = {};             ///< in the order of their scenes
@@ -74,26 +74,26 @@ struct RunDescription {
   std::vector<SplitInfo> splits = {};
   std::string global_frame = {};
   std::int64_t scene_count = 0;        ///< of the whole run, all shards together
-  std::vector<Warning> warnings = {};  ///< of the run as a whole
+  std::vector<Warning> warnings = {};  ///< about the run as a whole
 };
 
-/// What writers know of the dataset, without the models.
+/// Adds what writers know about the dataset, without the models.
 void describeContents(const DatasetInfo& dataset, RunDescription& run);
 
-/// As writers know credits: each author and licence once, with the files by folder and name, so
-/// that they do not depend on where the inputs lie.
+/// Credits in the form that writers receive: each author and licence once, with the files by folder
+/// and name, so that the result does not depend on where the inputs are.
 [[nodiscard]] std::vector<CreditInfo> creditInfos(
     const std::map<std::string, RunDescription::Credit>& credits);
 
-/// The settings that were given, by full name as JSON.
+/// The settings that the user gave, as JSON by full name.
 [[nodiscard]] std::map<std::string, std::string> givenSettings(const RunDescription& run);
 
-/// SHA-256 over what decides the dataset: the settings that were given, and the inputs.
+/// SHA-256 over everything that determines the dataset: the given settings and the inputs.
 [[nodiscard]] std::string settingsDigest(const RunDescription& run);
 
-/// What differs in settings, inputs and software, a line each that names it: nothing when a dataset
-/// of the one may be gone on with by the other.
-/// @param before, now  how they are called in the lines: "then", "now"
+/// The differences in settings, inputs and software, one line for each: empty if one run can resume
+/// the dataset of the other.
+/// @param before, now  names for the two sides: "then", "now"
 [[nodiscard]] std::vector<std::string> differences(const RunDescription& one,
                                                    const RunDescription& other,
                                                    const std::string& before,

@@ -1,4 +1,4 @@
-/// What is true of scenes: rows of the truth's tables.
+/// Writes and reads the truth about scenes: rows of the truth tables.
 
 #include <array>
 #include <cstdint>
@@ -56,7 +56,7 @@ std::optional<base::Blob> cellBytes(const std::vector<float>& cells) {
   return blob;
 }
 
-/// The masks of a map's values but 0, by value.
+/// The masks of a map's non-zero values, by value.
 std::map<std::uint16_t, Mask> masksOfValues(const cv::Mat& map) {
   const cv::Mat_<std::uint16_t> values = map;
   std::map<std::uint16_t, Mask> masks;

@@ -8,27 +8,27 @@
 #include "output/manifest/picture_facts.h"
 #include "output/manifest/run_description.h"
 
-/// The tables that hold what labels are held against: cameras, shapes, keypoints, masks, pictures;
-/// and who made the inputs.
+/// The tables that labels are checked against: cameras, shapes, keypoints, masks, pictures; and the
+/// authors of the inputs.
 namespace synthetic_dataset::output {
 
 /// The tables, as SQL.
 extern const char* const kTruthTables;
 
-/// Those of them with a row for each scene, or several; their column `scene`.
+/// Those of the tables with one or more rows for each scene, in the column `scene`.
 [[nodiscard]] const std::vector<std::string>& truthTablesOfScenes();
 
-/// What is known before the first scene.
+/// Inserts what is known before the first scene.
 void insertTruth(const base::SqliteDatabase& database, const RunDescription& run);
 
-/// Inserts what is true of scenes.
+/// Inserts the truth about scenes.
 class TruthInserter {
  public:
   explicit TruthInserter(const base::SqliteDatabase& database);
 
   void insert(const SceneFacts& scene, const std::vector<PictureFacts>& pictures);
 
-  /// How well labels meet the recorded picture, what hides it, and nothing else.
+  /// Inserts only how well labels match the recorded picture, and what covers the objects.
   void insertPictureFit(const SceneFacts& scene);
 
  private:
@@ -46,11 +46,11 @@ class TruthInserter {
   base::SqliteStatement object_cover_;
 };
 
-/// Adds to a run's description what its manifest knows of it.
+/// Adds to a run's description what its manifest holds about it.
 void readTruth(const base::SqliteDatabase& database, RunDescription& run);
 
-/// Adds to a scene's facts, which has its objects already, what the manifest knows of it.
-/// @param pictures  gets its pictures
+/// Adds to a scene's facts, which already list its objects, what the manifest holds about it.
+/// @param scene  receives its pictures as well
 void readTruth(const base::SqliteDatabase& database, SceneFacts& scene);
 
 }  // namespace synthetic_dataset::output

@@ -13,7 +13,7 @@
 
 #include "output/files/file_name_rules.h"
 #include "output/files/pending_file.h"
-#include "output/verify/right_files.h"
+#include "output/verify/expected_files.h"
 #include "output/verify/scene_comparison.h"
 #include "output/writers/writer_outputs.h"
 #include "plugins/readback/files.h"
@@ -23,14 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostMadeAgain = 1 << 30;  // of a file that a library writes [bytes]
+constexpr std::uintmax_t kMostMadeAgain = 1 << 30;  // for files that a library writes [bytes]
 
-/// A stream into it is held against a file.
+/// Compares everything written to it with a file.
 class ComparingBuffer : public std::streambuf {
  public:
   explicit ComparingBuffer(const std::string& file) : file_(file, std::ios::binary) {}
 
-  /// Whether all of the file was written.
+  /// Whether exactly the content of the file was written.
   [[nodiscard]] bool isEqual() {
     return is_equal_ && file_.peek() == std::ifstream::traits_type::eof();
   }
@@ -93,7 +93,7 @@ class ComparingDatasetOutput : public DatasetOutput {
       result_.not_compared.push_back(file);
       return;
     }
-    const RightFiles place(writer_);
+    const ExpectedFiles place(writer_);
     const std::string right = (place.folder() / fs::path(path).filename()).string();
     write(right);
     if (haveSameBytes(file, right)) return;
@@ -140,7 +140,7 @@ class ComparingDatasetOutput : public DatasetOutput {
   const ReadyWriter& writer_;
   std::string folder_;
   ClaimedPaths paths_;
-  std::set<std::string> left_;  ///< found files that the writer has not made yet
+  std::set<std::string> left_;  ///< files found that the writer has not made yet
   DifferingFiles result_;
 };
 
@@ -155,7 +155,7 @@ DifferingFiles differingDatasetFiles(const ReadyWriter& writer, const SceneRecor
 
 void compareDatasetFile(const std::string& found, const std::string& right, const std::string& name,
                         formats::Differences& differences) {
-  constexpr std::uintmax_t kMost = 256 << 20;  // to be held [bytes]
+  constexpr std::uintmax_t kMost = 256 << 20;  // held in memory [bytes]
   if (fs::file_size(found) + fs::file_size(right) <= kMost) {
     formats::compareContents(formats::readText(found), formats::readText(right), name, differences);
     return;

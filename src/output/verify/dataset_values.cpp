@@ -1,4 +1,4 @@
-/// What the files of a dataset as a whole hold.
+/// Verifies the content of the files of the dataset as a whole.
 
 #include <filesystem>
 #include <functional>
@@ -8,15 +8,15 @@
 
 #include "output/manifest/manifest_paths.h"
 #include "output/verify/dataset_comparison.h"
+#include "output/verify/expected_files.h"
 #include "output/verify/label_checks.h"
-#include "output/verify/right_files.h"
 #include "output/verify/scene_verifier.h"
 #include "plugins/readback/files.h"
 
 namespace synthetic_dataset::output {
 namespace {
 
-/// What a writer has kept of all scenes.
+/// The records that a writer stored for all scenes.
 class ListedRecords : public SceneRecords {
  public:
   ListedRecords(const WrittenDataset& dataset, std::size_t writer)
@@ -45,7 +45,7 @@ void SceneVerifier::verifyDatasetValues() {
     }
   });
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    // What is wrong with a scene is wrong with the whole, too, and is reported already.
+    // Errors in a scene carry over to these files, and have been reported already.
     if (labels_[i].writer == nullptr || !labels_[i].is_right) continue;
     try {
       compareDatasetFiles(i, paths[i]);
@@ -68,7 +68,7 @@ void SceneVerifier::compareDatasetFiles(std::size_t writer, const std::vector<st
            "' is checked by its size and SHA-256 alone: it is too large to be made once more");
   }
   if (differing.files.empty()) return;
-  RightFiles right(ready);
+  ExpectedFiles right(ready);
   right.addDataset(records);
   formats::Differences differences;
   for (const std::string& file : differing.files) {
@@ -85,8 +85,8 @@ void SceneVerifier::compareDatasetFiles(std::size_t writer, const std::vector<st
   }
 }
 
-/// Looks for the scenes whose labels the files of the dataset as a whole have wrong.
-bool SceneVerifier::reportWrongLabels(std::size_t writer, RightFiles& right) {
+/// Finds the scenes whose labels are wrong in the files of the dataset as a whole.
+bool SceneVerifier::reportWrongLabels(std::size_t writer, ExpectedFiles& right) {
   constexpr int kMost = 10;  // scenes
   const Labels& labels = labels_[writer];
   if (!labels.can_be_read || !labels.format->needs_dataset_files) return false;

@@ -65,14 +65,14 @@ class Verification {
     for (const auto& dataset : datasets_) {
       guarded(dataset->manifest(), [&] { verifyScenes(*dataset); });
     }
-    // Where a manifest cannot be read, its files would be taken for nobody's.
+    // If a manifest cannot be read, its files would seem to belong to nobody.
     if (datasets_.size() == manifests.size()) findStrayFiles();
     checkShards();
     return counts_;
   }
 
  private:
-  /// Does what may find the manifest unreadable.
+  /// Runs work that may find the manifest unreadable.
   template <class Work>
   void guarded(const std::string& manifest, const Work& work) {
     try {
@@ -156,7 +156,7 @@ class Verification {
                       named + "); it should have none");
   }
 
-  /// Whether what is in the folder is of one run.
+  /// Checks that all shards in the folder belong to one run.
   void checkShards() {
     const WrittenDataset* first = nullptr;
     std::int64_t count = 0;

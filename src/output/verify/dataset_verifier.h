@@ -8,51 +8,51 @@
 
 namespace synthetic_dataset::output {
 
-/// Hears what is found while a dataset is verified, line by line.
+/// Receives what is found while a dataset is verified, line by line.
 class VerificationListener {
  public:
   virtual ~VerificationListener() = default;
 
-  /// Something is not as it should be: where, what was found and what would be right.
+  /// Reports something wrong: where, what was found and what would be right.
   virtual void problem(const std::string& line) = 0;
 
-  /// Something that the user may want to know, and that is right.
+  /// Reports something that is right but may interest the user.
   virtual void remark(const std::string& line) = 0;
 
-  /// So many of a manifest's scenes have been looked at.
+  /// Reports how many of a manifest's scenes have been checked.
   virtual void progress(std::int64_t scene_count, std::int64_t of) = 0;
 };
 
 /// How much of a dataset is verified.
 enum class VerificationDepth {
-  kSizes,   ///< the manifest; that its files are there and have their sizes
-  kLabels,  ///< all that the files hold, too
+  kSizes,   ///< the manifest, and that its files exist and have the right sizes
+  kLabels,  ///< the content of the files as well
 };
 
 struct VerificationCounts {
   std::int64_t scenes = 0;
   std::int64_t files = 0;
   std::int64_t labels = 0;
-  std::int64_t drawn = 0;  ///< scenes that were drawn again
+  std::int64_t drawn = 0;  ///< scenes that were rendered again
 };
 
 class SceneVerifier;
 class WrittenDataset;
 
-/// Draws a dataset's scenes again for SceneVerifier::verifyDrawn. What it throws is a problem.
+/// Renders a dataset's scenes again for SceneVerifier::verifyDrawn. Exceptions count as problems.
 using DrawAgain = std::function<void(const WrittenDataset& dataset, SceneVerifier& verifier)>;
 
 /// Checks a dataset against its manifest, or those of its shards: the manifest itself, every file,
-/// and every value in them, by running the writers again. Only one scene is held at a time. Where
-/// there are no writers, as the workspace is not sourced, a remark says that labels are not
-/// checked.
+/// and every value in them, by running the writers again. Only one scene is held in memory at a
+/// time. If there are no writers because the workspace is not sourced, a remark says that labels
+/// are not checked.
 /// @param folder  of the manifest
-/// @param draw_again  called for each manifest at the end, where it is given
+/// @param draw_again  called for each manifest at the end, if given
 [[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
                                                VerificationListener& listener,
                                                const DrawAgain& draw_again = {});
 
-/// The same with writers that are at hand.
+/// Verifies a dataset with a given writer loader.
 [[nodiscard]] VerificationCounts verifyDataset(const std::string& folder, VerificationDepth depth,
                                                VerificationListener& listener,
                                                WriterLoader& writers,

@@ -1,4 +1,4 @@
-/// What a new drawing of a scene says of its files.
+/// Compares a scene's files with a new rendering of it.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ void SceneVerifier::verifyDrawn(const DrawnScene& drawn) {
     files[file.writer].paths.push_back(absoluteFrom(dataset_.folder(), file.path));
   });
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (labels_[i].writer == nullptr) continue;  // it is said why
+    if (labels_[i].writer == nullptr) continue;  // the reason has been reported
     try {
       RewrittenScene right{{}, {}, drawn.quality};
       right.result.files.recorded = drawn.recorded;

@@ -17,18 +17,18 @@ namespace {
 
 using formats::DrawnLabel;
 
-/// A label with what is measured on it once.
+/// A label together with measurements that are made only once.
 struct MeasuredLabel {
   const DrawnLabel* label = nullptr;
   std::optional<Box> mask_bounds;
   std::int64_t mask_pixels = 0;
   std::optional<Box> polygon_bounds;
   double polygon_area = 0.0;  ///< [px^2]
-  bool is_taken = false;      ///< a right one is found to be this
+  bool is_taken = false;      ///< already matched to a right label
 };
 
-/// Twice the area that a closed polygon goes round, negative for one that turns the other way
-/// (the shoelace formula).
+/// Twice the signed area of a closed polygon; negative for the other direction of rotation
+/// (shoelace formula).
 double turnedArea(const std::vector<cv::Point2d>& polygon) {
   double sum = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -89,7 +89,7 @@ std::string text(const std::vector<std::string>& names) {
 }
 
 bool areNear(const std::optional<Box>& a, const std::optional<Box>& b) {
-  constexpr double kTolerance = 1e-3;  // less than any format's decimals leave of an edge [px]
+  constexpr double kTolerance = 1e-3;  // smaller than the last decimal of any format [px]
   if (!a || !b) return a.has_value() == b.has_value();
   return std::abs(a->left - b->left) <= kTolerance && std::abs(a->top - b->top) <= kTolerance &&
          std::abs(a->right - b->right) <= kTolerance &&
@@ -97,7 +97,8 @@ bool areNear(const std::optional<Box>& a, const std::optional<Box>& b) {
 }
 
 bool areNear(const Pose& a, const Pose& b) {
-  constexpr double kTolerance = 1e-6;  // a matrix, a quaternion, decimals: [m], and of a rotation
+  constexpr double kTolerance = 1e-6;  // rounding of matrices, quaternions, decimals; [m], and for
+                                       // rotation
   return (a.translation() - b.translation()).norm() <=
              kTolerance * (1.0 + b.translation().norm()) &&
          (a.linear() - b.linear()).cwiseAbs().maxCoeff() <= kTolerance;
@@ -108,13 +109,13 @@ std::string difference(const std::string& what, const std::string& found,
   return "found the " + what + " " + found + "; it should be " + right;
 }
 
-/// Whether a label says itself that it is another object's, or another class's.
+/// Whether a label states that it belongs to another object or another class.
 bool isOfAnother(const MeasuredLabel& found, const MeasuredLabel& right) {
   return found.label->class_names != right.label->class_names ||
          found.label->object_name != right.label->object_name;
 }
 
-/// How a label differs from the right one; empty: it does not.
+/// How a label differs from the right one; empty if it does not.
 std::string differenceBetween(const MeasuredLabel& found, const MeasuredLabel& right) {
   constexpr double kTolerance = 1e-3;  // [px^2]
   if (!areNear(found.label->box, right.label->box)) {
@@ -150,14 +151,14 @@ double overlapOf(const Box& a, const Box& b) {
   return areaOf(*both) / std::max(areaOf(a) + areaOf(b) - areaOf(*both), 1e-9);
 }
 
-/// Where a label is on the image.
+/// The region of the image that a label covers.
 std::optional<Box> extentOf(const MeasuredLabel& label) {
   return label.label->box    ? label.label->box
          : label.mask_bounds ? label.mask_bounds
                              : label.polygon_bounds;
 }
 
-/// How well a label fits to an object, 0 .. 1.
+/// How well a label fits an object, 0 .. 1.
 double fitOf(const MeasuredLabel& label, const ObjectFacts& object, const SceneFacts& facts) {
   const std::optional<Pose>& X_CO = label.label->X_CO;
   if (X_CO && object.X_GO) return areNear(*X_CO, facts.X_GC.inverse() * *object.X_GO) ? 1.0 : 0.0;
@@ -170,7 +171,7 @@ double fitOf(const MeasuredLabel& label, const ObjectFacts& object, const SceneF
   return fit;
 }
 
-/// The object whose label a right one is, by where it is; else what it says itself.
+/// The object that a right label belongs to, found by position; otherwise as the label states.
 std::string nameOf(const MeasuredLabel& right, const SceneFacts& facts, const RunDescription& run) {
   constexpr double kLeast = 0.5;
   const RunDescription::Object* object = nullptr;
@@ -202,8 +203,8 @@ std::string nameOf(const MeasuredLabel& found) {
   return name;
 }
 
-/// Gives each right label one that is found. First those that agree in everything; what is left
-/// over then is a problem: by pairs of the same object or class, and one by one.
+/// Matches each right label to one that was found. First those that agree completely; any left over
+/// are problems, reported in pairs of the same object or class, and then one by one.
 void match(std::vector<MeasuredLabel>& found, const std::vector<MeasuredLabel>& right,
            const std::function<std::string(const MeasuredLabel&)>& nameOfRight,
            std::vector<std::string>& problems) {

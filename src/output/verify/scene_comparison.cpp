@@ -22,7 +22,7 @@ std::string kindOf(const cv::Mat& picture) {
          std::to_string(8 * picture.elemSize1()) + " bits";
 }
 
-/// A file's pixels as they are read back.
+/// A file's pixels as they will be read back.
 cv::Mat pixelsOf(const OutputFile& file) {
   if (!file.mask.imageSize().empty()) return file.mask.whole();
   if (file.palette.empty()) return file.pixels;
@@ -36,7 +36,7 @@ cv::Mat pixelsOf(const OutputFile& file) {
   return colours;
 }
 
-/// How many pixels differ; NaN is NaN.
+/// The number of pixels that differ; NaN equals NaN.
 std::size_t differing(const cv::Mat& one, const cv::Mat& other) {
   std::size_t count = 0;
   for (int row = 0; row < one.rows; ++row) {
@@ -49,7 +49,7 @@ std::size_t differing(const cv::Mat& one, const cv::Mat& other) {
   return count;
 }
 
-/// By how much a pixel's value differs at most.
+/// The greatest difference between values of corresponding pixels.
 std::string greatestDifference(const cv::Mat& one, const cv::Mat& other) {
   const double most = cv::norm(one, other, cv::NORM_INF);
   return one.depth() < CV_32F ? std::to_string(std::llround(most)) : fixed(most, 6);
@@ -76,7 +76,7 @@ const OutputFile* fileAt(const std::string& path, const SceneFiles& files) {
   return found == files.files.end() ? nullptr : &*found;
 }
 
-/// @return  whether anybody knows what is right
+/// @return  whether it is known what is right
 bool compareFile(const RewrittenScene& scene, const OutputFile& right, const OutputFile& other,
                  const std::string& name, SceneDifferences& differences) {
   const bool is_jpeg = base::imageFormat(right.path) == base::ImageFormat::kJpeg;

@@ -12,37 +12,37 @@
 
 namespace synthetic_dataset::output {
 
-/// What there is of a scene of one writer.
+/// What exists of one writer's output for a scene.
 struct FoundScene {
-  std::string folder;                       ///< the writer's, absolute, ending in `/`
+  std::string folder;                       ///< folder of the writer, absolute, ending in `/`
   std::set<std::string> files;              ///< absolute
-  std::set<std::string> checked;            ///< of these, what is known to be right, or wrong
+  std::set<std::string> checked;            ///< those already known to be right or wrong
   std::vector<SceneFiles::Record> records;  ///< in the manifest
   std::vector<std::string> warnings;        ///< in the manifest
 };
 
-/// What a writer makes of a scene. Where pictures are not known, `other` is what it makes of the
-/// same scene with others: what differs between the two depends on them, and nobody knows what is
-/// right.
+/// What a writer makes of a scene. If some pictures are unknown, `other` is what it makes of the
+/// same scene with different pictures: where the two differ, the output depends on unknown pictures
+/// and cannot be verified.
 struct RewrittenScene {
   ReadyWriter::SceneResult result;
   std::optional<ReadyWriter::SceneResult> other = {};
-  /// Of a scene that was drawn again, whose pictures are all known: of its JPEG files.
+  /// Quality of the JPEG files; set for a scene that was rendered again, with all pictures known.
   std::optional<base::ImageQuality> drawn_quality = {};
 };
 
-/// In what a scene's files and the manifest differ from what they should have.
+/// How a scene's files and the manifest's records differ from what they should be.
 struct SceneDifferences {
   formats::Differences values;
   formats::Differences pictures;
-  /// A file that nobody can know, as it depends on pictures that are not known; empty: none.
+  /// A file that cannot be verified because it depends on unknown pictures; empty if there is none.
   std::string unknown;
 };
 
-/// Compares them file by file, and what the manifest keeps.
+/// Compares the files one by one, and what the manifest stores.
 [[nodiscard]] SceneDifferences compareScene(const FoundScene& found, const RewrittenScene& right);
 
-/// A file's path as lines name it: below the writer's folder where it is there.
+/// A file's path as shown in messages: relative to the writer's folder if it is inside.
 [[nodiscard]] std::string pathBelow(const std::string& folder, const std::string& path);
 
 }  // namespace synthetic_dataset::output

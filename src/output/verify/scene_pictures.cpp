@@ -26,8 +26,8 @@ bool areSamePixels(const cv::Mat& one, const cv::Mat& other) {
   return one.data == other.data && one.size() == other.size() && one.type() == other.type();
 }
 
-/// Calls visit(square, cell) for each square of which the depths' sum, least and greatest are
-/// known.
+/// Calls visit(square, cell) for each square for which the sum, least and greatest of the depths
+/// are known.
 template <class Visit>
 void forEachCell(const cv::Size& size, const std::vector<float>& cells, const Visit& visit) {
   std::size_t at = 0;
@@ -40,16 +40,16 @@ void forEachCell(const cv::Size& size, const std::vector<float>& cells, const Vi
   }
 }
 
-/// What is wrong with a depth image of which the sum of each square is known: a wrong depth is seen
-/// that adds more to it than rounding can.
-/// @param depth  of one channel; 0 for no depth
+/// What is wrong with a depth image, given the sum of each square: finds any wrong depth that
+/// changes the sum by more than rounding can.
+/// @param depth  one channel; 0 for no depth
 std::string depthProblem(const cv::Mat& depth, const DepthNumbers& numbers,
                          const std::vector<float>& cells) {
-  constexpr double kSingle = 1e-6;  // of sums in single precision
+  constexpr double kSingle = 1e-6;  // rounding of single-precision sums
   std::string problem;
   forEachCell(depth.size(), cells, [&](const cv::Rect& square, const float* cell) {
     const double right = cell[0];
-    // What is behind the camera or farther than a pixel can say has no depth in the file.
+    // Points behind the camera or beyond the range of a pixel have no depth in the file.
     if (!problem.empty() || cell[1] < 0.0F || cell[2] > numbers.greatest) return;
     const double found = numbers.unit * cv::sum(depth(square))[0];
     const double rounding = numbers.rounding * cv::countNonZero(depth(square));
@@ -61,8 +61,8 @@ std::string depthProblem(const cv::Mat& depth, const DepthNumbers& numbers,
   return problem;
 }
 
-/// Puts what is too far for the file's numbers where the file has nothing, so that a writer finds
-/// that it is too far.
+/// Puts a depth beyond the range of the file's numbers where the file has none, so that a writer
+/// sees that something is too far.
 void addTooFar(cv::Mat& depth, const DepthNumbers& numbers, const std::vector<float>& cells) {
   forEachCell(depth.size(), cells, [&](const cv::Rect& square, const float* cell) {
     if (cell[2] <= numbers.greatest) return;
@@ -91,7 +91,7 @@ void ScenePictures::give(Scene& scene, Filling filling) const {
 }
 
 void ScenePictures::giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling) const {
-  // Whatever is counted differs between the two.
+  // Every count differs between the two fillings.
   const std::size_t of_each = filling == Filling::kNothing ? 1 : 2;
   Cloud cloud;
   cloud.columns = static_cast<int>(

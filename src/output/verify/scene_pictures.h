@@ -13,35 +13,35 @@
 
 namespace synthetic_dataset::output {
 
-/// A scene's `image`, `depth`, `normals` and `optical_flow`, as far as the dataset's files show
-/// them.
+/// A scene's `image`, `depth`, `normals` and `optical_flow`, as far as they can be recovered from
+/// the dataset's files.
 class ScenePictures {
  public:
-  /// @param facts  with a camera model; outlives this
+  /// @param facts  with a camera model; must outlive this
   explicit ScenePictures(const SceneFacts& facts) : facts_(facts) {}
 
-  /// What a picture holds that is not known. What depends on it differs between the two.
+  /// What to fill unknown pictures with. Whatever depends on them differs between the two.
   enum class Filling { kNothing, kSomething };
 
   /// Gives a scene its pictures.
   void give(Scene& scene, Filling filling) const;
 
-  /// Gives a scene clouds, of which no file holds all: of those that files hold, digests are known,
-  /// and how many points each object has.
+  /// Gives a scene made-up clouds, since no file holds a complete one: for those in files, only
+  /// digests and the number of points on each object are known.
   /// @param dataset  with its lidars
   void giveClouds(Scene& scene, const DatasetInfo& dataset, Filling filling) const;
 
-  /// The name of a scene's picture that a writer hands on as it is; nothing for other pixels.
+  /// The name of the scene's picture that a writer passes on unchanged; nothing for other pixels.
   [[nodiscard]] static std::optional<std::string> nameOf(const cv::Mat& pixels, const Scene& scene);
 
   [[nodiscard]] bool isKnown(const std::string& picture) const { return known_.count(picture) > 0; }
 
-  /// Takes a picture from a file that holds it as it is, or as JPEG.
-  /// @return  what is wrong with it; empty: nothing
-  /// @throws Error when it cannot be decoded
+  /// Takes a picture from a file that holds it unchanged, or as JPEG.
+  /// @return  what is wrong with it; empty if nothing
+  /// @throws Error if it cannot be decoded
   [[nodiscard]] std::string take(const std::string& picture, const std::string& file);
 
-  /// The same of one that files hold in another form.
+  /// Takes a picture that a file holds in another form.
   [[nodiscard]] std::string take(const formats::DecodedPicture& picture);
 
  private:

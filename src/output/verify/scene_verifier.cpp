@@ -9,8 +9,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "output/manifest/manifest_paths.h"
+#include "output/verify/expected_files.h"
 #include "output/verify/label_checks.h"
-#include "output/verify/right_files.h"
 #include "plugins/readback/files.h"
 #include "synthetic_dataset/errors.h"
 #include "synthetic_dataset/label_text.h"
@@ -18,7 +18,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Whether a file is a picture, by its name.
+/// Whether a file is a picture, judging by its name.
 bool isPicture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg" ||
@@ -29,7 +29,7 @@ std::string text(const cv::Size& size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-/// As Scene::name: with the camera's folder where there are several.
+/// Same as Scene::name: with the camera's folder if there are several.
 std::string sceneName(const SceneFacts& scene, std::size_t camera_count) {
   return (camera_count > 1 ? scene.camera + "/" : "") + sceneNumber(scene.instant);
 }
@@ -72,7 +72,7 @@ SceneVerifier::SceneVerifier(const WrittenDataset& dataset, VerificationDepth de
 
 void SceneVerifier::loadWriters(WriterLoader& loader) {
   const ManifestContent& content = dataset_.content();
-  // A camera that cannot be is named among the manifest's rows.
+  // An invalid camera is reported with the manifest's rows.
   const bool has_cameras =
       std::all_of(content.run.cameras.begin(), content.run.cameras.end(),
                   [](const RunDescription::Camera& each) { return each.model.has_value(); });
@@ -107,7 +107,7 @@ std::string SceneVerifier::originOf(const SceneFacts& scene, std::size_t writer)
 }
 
 void SceneVerifier::verifyDatasetFiles() {
-  // Before the end they may be announced and not be there yet.
+  // While the run is unfinished, they may be announced but not exist yet.
   if (!dataset_.content().complete) return;
   dataset_.forEachFileOf(std::nullopt, [&](const ListedFile& file) {
     WrittenFiles files;
@@ -159,7 +159,7 @@ void SceneVerifier::verifyScene(const SceneFacts& scene) {
     if (!files[i].are_readable) continue;
     try {
       const bool have_its_size = verifyPictures(writers[i], files[i], scene);
-      // Formats with a folder for each object have none of a scene without labels.
+      // Formats with a folder for each object write no files for a scene without labels.
       if (labels_[i].can_be_read && !files[i].paths.empty()) {
         const formats::LabelledPicture picture =
             labels_[i].format->read(writtenScene(scene, i, files[i]));
@@ -174,7 +174,7 @@ void SceneVerifier::verifyScene(const SceneFacts& scene) {
   verifyValues(scene, files, compared);
 }
 
-/// Whether a scene's rows fit the run's; the first one that does not is named.
+/// Whether a scene's rows fit the run's; reports the first scene that does not.
 bool SceneVerifier::isSound(const SceneFacts& scene) {
   if (!dataset_.content().is_current) return true;
   const std::string unknown = true_.unknownIn(scene);
@@ -187,7 +187,7 @@ bool SceneVerifier::isSound(const SceneFacts& scene) {
   return false;
 }
 
-/// @return  whether they have their camera's size
+/// @return  whether all pictures have their camera's size
 bool SceneVerifier::verifyPictures(const StoreWriter& writer, const WrittenFiles& files,
                                    const SceneFacts& scene) {
   const cv::Size size(scene.width, scene.height);
@@ -276,7 +276,7 @@ FoundScene SceneVerifier::foundScene(const SceneFacts& facts, std::size_t writer
   return found;
 }
 
-/// Finds the files that hold the scene's own pictures, by what the writer hands on.
+/// Finds the files that hold the scene's own pictures, by what the writer passes on.
 void SceneVerifier::takePictures(const SceneFacts& facts, const Scene& scene, std::size_t writer,
                                  const WrittenFiles& files, ScenePictures& pictures,
                                  FoundScene& found) {
@@ -325,7 +325,7 @@ void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const W
   const std::string origin = originOf(facts, writer);
   const bool is_drawn = right.drawn_quality.has_value();
   std::vector<std::string> lines;
-  // What was found before the scene was drawn again is not said once more.
+  // Do not report again what was found before the scene was rendered again.
   const auto append = [&](const std::vector<std::string>& more, bool are_said) {
     for (const std::string& line : more) {
       const bool is_new = is_drawn ? labels.known.count(origin + line) == 0
@@ -348,7 +348,7 @@ std::vector<std::string> SceneVerifier::wrongLabels(const SceneFacts& facts, std
   const Labels& labels = labels_[writer];
   if (!labels.can_be_read) return {};
   try {
-    RightFiles place(*labels.writer);
+    ExpectedFiles place(*labels.writer);
     place.addScene(right);
     if (labels.format->needs_dataset_files) {
       place.addDataset(RecordsOfScene(facts.index, right.records));
@@ -363,7 +363,7 @@ std::vector<std::string> SceneVerifier::wrongLabels(const SceneFacts& facts, std
     };
     return labelProblems(read(found), read(of_right), facts, dataset_.content().run);
   } catch (const std::exception&) {
-    return {};  // the values that differ are named as they stand in the files
+    return {};  // the differing values are then reported as they are in the files
   }
 }
 

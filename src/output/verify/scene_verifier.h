@@ -10,17 +10,17 @@
 #include "base/image/image_encoder.h"
 #include "output/file_checks.h"
 #include "output/verify/dataset_verifier.h"
-#include "output/verify/right_files.h"
+#include "output/verify/expected_files.h"
+#include "output/verify/reconstructed_scenes.h"
 #include "output/verify/scene_comparison.h"
 #include "output/verify/scene_pictures.h"
-#include "output/verify/true_scenes.h"
 #include "output/writers/ready_writer.h"
 #include "output/written_dataset.h"
 #include "plugins/readback/format.h"
 
 namespace synthetic_dataset::output {
 
-/// A scene of a dataset, as it is when it is drawn again.
+/// A scene of a dataset, rendered again.
 struct DrawnScene {
   const Scene& scene;
   const SceneFacts& facts;
@@ -28,46 +28,46 @@ struct DrawnScene {
   base::ImageQuality quality;
 };
 
-/// Verifies a dataset's files and labels scene by scene: each writer is given once more what it was
-/// given by the run, as the manifest and the pictures have it, and what it makes of that is held
-/// against the files.
+/// Verifies a dataset's files and labels scene by scene: each writer receives again what the run
+/// gave it, reconstructed from the manifest and the pictures, and its output is compared with the
+/// files.
 class SceneVerifier {
  public:
-  /// All arguments outlive it. The counts are added to.
-  /// @param loader  of the writers; null: labels are not checked
+  /// All arguments must outlive this. The counts are added to.
+  /// @param loader  of the writers; null if labels are not to be checked
   SceneVerifier(const WrittenDataset& dataset, VerificationDepth depth, WriterLoader* loader,
                 VerificationListener& listener, VerificationCounts& counts);
 
-  /// The files of the dataset as a whole.
+  /// Verifies the files of the dataset as a whole.
   void verifyDatasetFiles();
 
   void verifyScene(const SceneFacts& scene);
 
-  /// What the files of the dataset as a whole hold, after all scenes.
+  /// Verifies the content of the files of the dataset as a whole, after all scenes.
   void verifyDatasetValues();
 
-  /// Compares a scene's files, and what the manifest has of it, with a new drawing.
+  /// Compares a scene's files, and what the manifest holds about it, with a new rendering.
   void verifyDrawn(const DrawnScene& drawn);
 
  private:
   static constexpr const char* kDrawnAgain = "drawn again, ";
 
-  /// What one writer made of a scene, or of the dataset as a whole.
+  /// The files that one writer made for a scene, or for the dataset as a whole.
   struct WrittenFiles {
     std::vector<ListedFile> listed;
     std::vector<std::string> paths;  ///< absolute
     bool are_readable = true;
-    bool are_whole = true;  ///< as they were written
+    bool are_whole = true;  ///< unchanged since they were written
   };
 
-  /// What is known of a writer's labels.
+  /// What is known about a writer's labels.
   struct Labels {
-    const formats::Format* format = nullptr;  ///< null: none of this package's
-    bool can_be_read = false;                 ///< by the format, from the files that are there
-    std::unique_ptr<ReadyWriter> writer;      ///< null: nobody knows what is right
+    const formats::Format* format = nullptr;  ///< null if it is not one of this package's formats
+    bool can_be_read = false;                 ///< by the format, from the existing files
+    std::unique_ptr<ReadyWriter> writer;      ///< null if it cannot be run: nothing is compared
     bool is_right = true;                     ///< nothing wrong has been found yet
-    bool has_unknown_files = false;           ///< it is said which files nobody can know
-    std::set<std::string> known = {};         ///< what is wrong, before scenes are drawn again
+    bool has_unknown_files = false;           ///< which files cannot be verified has been reported
+    std::set<std::string> known = {};         ///< problems found before scenes were rendered again
   };
 
   void loadWriters(WriterLoader& loader);
@@ -95,15 +95,15 @@ class SceneVerifier {
                                                      const WrittenFiles& files,
                                                      const SceneFiles& right) const;
   void compareDatasetFiles(std::size_t writer, const std::vector<std::string>& paths);
-  bool reportWrongLabels(std::size_t writer, RightFiles& right);
+  bool reportWrongLabels(std::size_t writer, ExpectedFiles& right);
 
   const WrittenDataset& dataset_;
   VerificationDepth depth_;
   VerificationListener& listener_;
   VerificationCounts& counts_;
-  const TrueScenes true_;
-  std::vector<Labels> labels_;       ///< of each writer
-  bool has_unsound_scenes_ = false;  ///< the first one is named
+  const ReconstructedScenes true_;
+  std::vector<Labels> labels_;       ///< one per writer
+  bool has_unsound_scenes_ = false;  ///< the first one has been reported
   std::shared_ptr<formats::KeptFiles> kept_ = std::make_shared<formats::KeptFiles>();
 };
 

@@ -12,15 +12,15 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// Whoever calls `exit` leaves nothing else that knows.
+/// Global, since an exit handler has no other way to find out.
 std::atomic<const std::string*> writer_at_work{nullptr};
 
-/// While it lives, a writer is at work. A plugin that ends the program meanwhile, by `exit`, is
-/// named on the standard error, and the exit code is 1: a run that has not come to its end must not
-/// look like one that has.
+/// Marks a writer as running. If a plugin ends the program meanwhile with `exit`, its writer is
+/// named on standard error and the exit code is 1: an unfinished run must not look like a finished
+/// one.
 class WriterAtWork {
  public:
-  /// @param name  of the writer; it outlives this
+  /// @param name  of the writer; must outlive this
   explicit WriterAtWork(const std::string& name) { writer_at_work = &name; }
   ~WriterAtWork() { writer_at_work = nullptr; }
   WriterAtWork(const WriterAtWork&) = delete;
@@ -29,7 +29,7 @@ class WriterAtWork {
 
 void refuseExit() {
   const std::string* writer = writer_at_work.load();
-  if (writer == nullptr) return;  // the program comes to its own end
+  if (writer == nullptr) return;  // the program ends normally
   std::fprintf(stderr,
                "writer '%s': its plugin has ended the program by a call of exit(); the dataset is "
                "unfinished, and the same command goes on with it\n",
@@ -38,8 +38,8 @@ void refuseExit() {
   _exit(EXIT_FAILURE);
 }
 
-/// To be called after each library of writers is loaded: `exit` begins with what was registered
-/// last, and what a library takes down must not come before.
+/// Call after each writer library is loaded: exit handlers run in reverse order of registration,
+/// and this one must run before those of the library.
 void watchExits() {
   (void)std::atexit(refuseExit);
   (void)std::at_quick_exit(refuseExit);
@@ -57,7 +57,7 @@ ReadyWriter::ReadyWriter(WriterLoader& loader, const WriterOptions& choice,
   }
   watchExits();
   const WriterAtWork at_work(choice.name);
-  // These name the writer themselves when they fail.
+  // These calls name the writer themselves if they fail.
   instance_->initialize(parameters_, dataset);
   requirements_ = instance_->requirements();
 }

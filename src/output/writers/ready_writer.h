@@ -14,14 +14,14 @@ namespace synthetic_dataset::output {
 /// A writer that is loaded and has read its parameters.
 class ReadyWriter {
  public:
-  /// What a scene becomes.
+  /// The result of writing a scene.
   struct SceneResult {
     SceneFiles files;
     std::vector<std::string> warnings;  ///< "writer 'stvnet': alpha: a keypoint is behind ..."
   };
 
   /// @param loader  outlives this
-  /// @throws Error naming the writer: an unknown type, one that cannot be loaded or that fails to
+  /// @throws Error naming the writer: its type is unknown, it cannot be loaded, or it fails to
   ///     initialise
   ReadyWriter(WriterLoader& loader, const WriterOptions& choice, const DatasetInfo& dataset);
 
@@ -29,7 +29,7 @@ class ReadyWriter {
   [[nodiscard]] const WriterParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Requirements& requirements() const { return requirements_; }
 
-  /// Adds what the scene becomes.
+  /// Adds the files, records and warnings for a scene.
   /// @param index  of the writer among those of the run
   /// @throws Error naming the writer
   void writeScene(const Scene& scene, std::size_t index, SceneResult& result) const;

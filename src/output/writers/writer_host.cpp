@@ -35,7 +35,7 @@ Requirements merged(const std::vector<ReadyWriter>& writers) {
 struct WriterHost::Impl {
   explicit Impl(const std::vector<std::string>& plugin_xml_files) : loader(plugin_xml_files) {}
 
-  WriterLoader loader;  // outlives the writers that it made
+  WriterLoader loader;  // must outlive the writers that it made
   std::vector<ReadyWriter> writers;
   Requirements requirements;
 };

@@ -14,37 +14,38 @@ namespace synthetic_dataset::output {
 /// Loads the chosen writers from their plugin libraries, runs them and checks what they did.
 class WriterHost {
  public:
-  /// What a scene becomes in every format.
+  /// The result of writing a scene in every format.
   using SceneResult = ReadyWriter::SceneResult;
 
-  /// Loads, initialises and checks every writer; errors about parameters are noted in the
+  /// Loads, initialises and checks every writer; errors about parameters are recorded in the
   /// parameters themselves.
-  /// @param plugin_xml_files  where to look for writers; empty: all that installed packages export
-  /// @throws ErrorList: an unknown type (with the types that there are, and why a declared one
-  ///     cannot be loaded), a writer that fails to initialise
+  /// @param plugin_xml_files  where to look for writers; empty for all that installed packages
+  ///     export
+  /// @throws ErrorList for unknown types (listing the available ones, and why a declared one cannot
+  ///     be loaded) and writers that fail to initialise
   WriterHost(const std::vector<WriterOptions>& choices, const DatasetInfo& dataset,
              const std::vector<std::string>& plugin_xml_files = {});
   ~WriterHost();
   WriterHost(const WriterHost&) = delete;
   WriterHost& operator=(const WriterHost&) = delete;
 
-  /// What all writers together need; each frame once, in alphabetical order.
+  /// What all writers together require; each frame once, in alphabetical order.
   [[nodiscard]] const Requirements& requirements() const;
 
-  /// The names of all types of writers that there are.
+  /// The names of all available writer types.
   [[nodiscard]] std::vector<std::string> typeNames() const;
 
-  /// What writers warn of before the first scene, with their names.
+  /// Warnings that writers give before the first scene, with the writers' names.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
-  /// The writers as the store wants them, in the order of the choices.
+  /// The writers in the form that the store needs, in the order of the choices.
   [[nodiscard]] std::vector<output::StoreWriter> storeWriters() const;
 
-  /// Has every writer turn the scene into files.
+  /// Lets every writer turn the scene into files.
   /// @throws Error naming the writer that failed
   [[nodiscard]] SceneResult writeScene(const Scene& scene) const;
 
-  /// Has every writer finish its dataset.
+  /// Lets every writer finish its dataset.
   /// @throws Error naming the writer that failed
   void finalize(output::DatasetStore& store) const;
 

@@ -18,7 +18,7 @@
 namespace synthetic_dataset::output {
 namespace {
 
-/// No other thread works with plugins meanwhile, and class_loader does not print what it throws.
+/// Keeps other threads from working with plugins, and class_loader from printing what it throws.
 class PluginWork {
  public:
   PluginWork() : lock_(base::pluginMutex()), level_(console_bridge::getLogLevel()) {

@@ -9,17 +9,17 @@
 
 namespace synthetic_dataset::output {
 
-/// The paths in its folder that a writer has asked for so far.
+/// The paths in its folder that a writer has requested so far.
 class ClaimedPaths {
  public:
   /// @param folder  absolute, ending in `/`
   explicit ClaimedPaths(std::string folder);
 
   /// @returns the absolute path
-  /// @throws Error for a path that leads out of the folder or was claimed before
+  /// @throws Error if the path leads out of the folder or was claimed before
   [[nodiscard]] std::string claim(const std::string& path);
 
-  /// The same without claiming it.
+  /// The absolute path, without claiming it.
   [[nodiscard]] std::string absolute(const std::string& path) const;
 
  private:
@@ -27,11 +27,11 @@ class ClaimedPaths {
   std::set<std::string> claimed_;
 };
 
-/// Gathers what one writer wants for one scene.
+/// Gathers everything that one writer outputs for one scene.
 class GatheringSceneOutput : public SceneOutput {
  public:
   /// @param writer  its index in the store's writers
-  /// @param files, warnings  where to add; have to outlive this
+  /// @param files, warnings  where to add; must outlive this
   GatheringSceneOutput(std::size_t writer, const WriterParameters& parameters,
                        output::SceneFiles& files, std::vector<std::string>& warnings);
 
@@ -51,11 +51,11 @@ class GatheringSceneOutput : public SceneOutput {
   std::vector<std::string>& warnings_;
 };
 
-/// Hands a writer's files of the dataset as a whole on to the store.
+/// Passes a writer's files of the dataset as a whole on to the store.
 class StoringDatasetOutput : public DatasetOutput {
  public:
   /// @param writer  its index in the store's writers
-  /// @param parameters, store  have to outlive this
+  /// @param parameters, store  must outlive this
   StoringDatasetOutput(std::size_t writer, const WriterParameters& parameters,
                        output::DatasetStore& store);
 

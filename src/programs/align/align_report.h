@@ -7,11 +7,11 @@
 
 namespace synthetic_dataset::programs {
 
-/// What `align` prints: settings in YAML, and as comments how sure they are.
+/// The output of `align`: settings in YAML, with their uncertainties as comments.
 [[nodiscard]] std::vector<std::string> alignmentLines(const run::CameraAlignment& found,
                                                       const run::AlignOptions& asked);
 
-/// Whether the labels meet the pictures better than before, and all of it is known.
+/// Whether the labels fit the pictures no worse than before and all that was asked for is known.
 [[nodiscard]] bool isFound(const run::CameraAlignment& found, const run::AlignOptions& asked);
 
 }  // namespace synthetic_dataset::programs

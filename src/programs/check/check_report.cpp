@@ -40,7 +40,7 @@ cv::Mat cellOf(const run::FinishedScene& finished) {
 }
 
 /// Some scenes side by side with all labels drawn in: masks, boxes with captions, cuboids,
-/// keypoints; below each its name and time. CV_8UC3.
+/// keypoints; above each its name and time. CV_8UC3.
 /// @param scenes  at least one, with visible masks and silhouettes
 cv::Mat checkSheet(const std::vector<run::FinishedScene>& scenes) {
   std::vector<cv::Mat> cells;
@@ -68,7 +68,7 @@ void write(const fs::path& file, const cv::Mat& picture, std::ostream& out) {
   bool is_written = false;
   try {
     is_written = cv::imwrite(file.string(), picture);
-  } catch (const cv::Exception&) {  // which does not say more
+  } catch (const cv::Exception&) {  // its message says no more than the one below
   }
   if (!is_written) throw Error("--out: '" + file.string() + "' cannot be written");
   out << "wrote " << file.string() << '\n';

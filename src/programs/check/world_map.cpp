@@ -21,12 +21,12 @@ namespace {
 
 const cv::Scalar kCameraInk(60, 40, 200);
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito 2008), blue green red.
+/// Colours that the colour-blind can tell apart (Okabe and Ito 2008), as blue, green, red.
 const std::array<cv::Scalar, 5> kWayInks = {cv::Scalar(178, 114, 0), cv::Scalar(115, 158, 0),
                                             cv::Scalar(167, 121, 204), cv::Scalar(0, 159, 230),
                                             cv::Scalar(80, 60, 60)};
 
-/// Where an object was, and which way it went.
+/// The path of an object.
 struct Way {
   std::string name;
   std::vector<Eigen::Vector3d> points_G;
@@ -54,7 +54,7 @@ std::vector<const Scene*> scenesOfMotion(const run::MotionSetup& motion,
   return scenes;
 }
 
-/// All that has to be on the map.
+/// The area that has to be on the map.
 Eigen::AlignedBox2d extentOf(const std::vector<Way>& ways,
                              const std::vector<const Scene*>& scenes) {
   Eigen::AlignedBox2d extent;
@@ -68,7 +68,7 @@ Eigen::AlignedBox2d extentOf(const std::vector<Way>& ways,
   return extent;
 }
 
-/// Adds the world's surroundings, up to about the same size again.
+/// Extends the area to the world's surroundings, but at most to about twice its size.
 Eigen::AlignedBox2d withSurroundings(Eigen::AlignedBox2d extent, const world::World& world) {
   const double margin = std::max(3.0, 0.6 * extent.diagonal().norm());
   Eigen::AlignedBox2d most(extent.min() - Eigen::Vector2d(margin, margin),
@@ -102,11 +102,11 @@ double groundOf(const run::MotionSetup& motion, const std::vector<run::Moment>& 
   return std::isfinite(lowest) ? lowest : 0.0;
 }
 
-/// What a camera sees of the ground, or how wide it sees up to a distance.
+/// The outline of what a camera sees of the ground, or of its field of view up to a distance.
 std::vector<Eigen::Vector3d> viewCone(const Scene& scene, double ground, double reach) {
   const Eigen::Vector3d eye_G = scene.X_GC.translation();
   std::vector<Eigen::Vector3d> cone;
-  constexpr int kSteps = 8;  // an edge of the image
+  constexpr int kSteps = 8;  // per edge of the image
   const double w = scene.camera.width() - 1.0;
   const double h = scene.camera.height() - 1.0;
   const std::array<Eigen::Vector2d, 5> corners = {
@@ -127,7 +127,7 @@ std::vector<Eigen::Vector3d> viewCone(const Scene& scene, double ground, double 
   return cone;
 }
 
-/// How far a cone is drawn: somewhat past the nearest object, or far over the map.
+/// How far a cone is drawn: somewhat past the nearest visible object, else over much of the map.
 double reachOf(const Scene& scene, const run::MapPaper& paper) {
   double reach = 0.6 * paper.extent().diagonal().norm();
   for (const SceneObject& object : scene.objects) {
@@ -137,7 +137,7 @@ double reachOf(const Scene& scene, const run::MapPaper& paper) {
   return reach;
 }
 
-/// The distance from which another cone shows something new.
+/// Whether the camera has moved so far that another cone shows something new.
 bool hasMoved(const Pose& one, const Pose& other) {
   constexpr double kFar = 1.0;   // [m]
   constexpr double kWide = 0.3;  // [rad]

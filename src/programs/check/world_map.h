@@ -9,11 +9,12 @@
 
 namespace synthetic_dataset::programs {
 
-/// A motion from straight above, x to the right and y up: the world's ground and what stands on it,
-/// the ways of all objects, where cameras stand and which way they look, a scale. CV_8UC3.
-/// @param motion  whose world has been advanced
-/// @param is_only  of the run: then its name says nothing
-/// @param scenes  of the run, those of this motion among them
+/// A map of a motion, seen from straight above, x to the right and y up: the world's ground and
+/// what stands on it, the paths of all objects, the cameras' positions and viewing directions, and
+/// a scale. CV_8UC3.
+/// @param motion  one whose world has been advanced
+/// @param is_only  whether it is the run's only motion: its name is then left out
+/// @param scenes  all of the run's; those of other motions are ignored
 [[nodiscard]] cv::Mat worldMap(const run::MotionSetup& motion, bool is_only,
                                const std::vector<run::FinishedScene>& scenes);
 

@@ -77,7 +77,7 @@ class Parser {
   }
 
   CommandLine result_;
-  std::optional<std::string> awaited_;  ///< the option whose name comes next
+  std::optional<std::string> awaited_;  ///< the option whose value comes next
 };
 
 }  // namespace

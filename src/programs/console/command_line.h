@@ -11,43 +11,44 @@
 
 namespace synthetic_dataset::programs {
 
-/// What the arguments of `generate` ask for.
+/// The parsed arguments of `generate`.
 struct CommandLine {
   bool wants_help = false;
-  bool wants_check = false;        ///< to look at the run before it is made
-  bool wants_settings = false;     ///< to know all settings
-  bool as_json = false;            ///< these as a JSON schema, or the run's end as a line of JSON
-  std::optional<std::string> out;  ///< the folder for the pictures of that
+  bool wants_check = false;        ///< examines the run without making it
+  bool wants_settings = false;     ///< prints all settings
+  bool as_json = false;            ///< prints settings, or a run's progress and result, as JSON
+  std::optional<std::string> out;  ///< the folder for the pictures of a check
   /// The settings file; without one, the settings are on the ROS parameter server.
   std::optional<std::string> config;
-  /// `name:=value` in order, values as YAML. Only with `config`: else they are for ROS.
+  /// `name:=value` in order, values as YAML. Only with `config`: otherwise these are ROS
+  /// remappings.
   std::vector<std::pair<std::string, std::string>> settings;
 };
 
 /// @param arguments  without the program's name
-/// @throws Error for what is not known
+/// @throws Error for unknown or invalid arguments
 [[nodiscard]] CommandLine parseCommandLine(const std::vector<std::string>& arguments);
 
-/// The same of `check`, which names the file without an option.
+/// The same for `check`, whose settings file is named without an option.
 [[nodiscard]] CommandLine parseCheckLine(const std::vector<std::string>& arguments);
 
 /// Where the pictures of a check go: to --out, else beside the settings file.
 [[nodiscard]] std::string picturesFolder(const CommandLine& line);
 
-/// What `generate --help` prints.
+/// The output of `generate --help`.
 [[nodiscard]] std::string usage();
 
-/// What `check --help` prints.
+/// The output of `check --help`.
 [[nodiscard]] std::string checkUsage();
 
-/// Does a tool's work, whose result is its exit code. What it throws is printed to the standard
-/// error, "NAME: message" for each of its errors.
+/// Does a tool's work, which returns the exit code. Prints what it throws to the standard error,
+/// "NAME: message" for each error.
 /// @return what the work returns; 1 when it throws
 [[nodiscard]] int reportingErrors(const std::string& name, const std::function<int()>& work);
 
-/// The settings of the file that a command line names, and over them its own. Neither a ROS master
-/// nor ROS's log folder is needed.
-/// @param remark  as base::parseSettings() has it
+/// The settings of the file that a command line names, overridden by those on the command line.
+/// Neither a ROS master nor ROS's log folder is needed.
+/// @param remark  as for base::parseSettings()
 /// @throws Error naming file and line, or the setting
 [[nodiscard]] Value settingsOf(const CommandLine& command_line, const base::Remark& remark);
 

@@ -15,7 +15,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-constexpr double kPatience = 2.0;  ///< [s] for which nobody wonders
+constexpr double kPatience = 2.0;  ///< [s] before users wonder what is going on
 
 double secondsNow() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -78,7 +78,7 @@ void ConsoleReporter::progress(std::int64_t /*scenes_done*/, std::int64_t scenes
 bool ConsoleReporter::stopRequested() const { return stop_signals::requested() != 0; }
 
 void ConsoleReporter::start(std::int64_t scenes) {
-  stop_signals::waitForScenes();
+  stop_signals::stopAfterScene();
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   const auto sink = [terminal](const std::string& text) {
     if (terminal) {

@@ -12,8 +12,8 @@
 
 namespace synthetic_dataset::programs {
 
-/// Says what a start that takes long is doing: after two seconds, and then not more often than
-/// that, the stage that is going on, each once. Its functions may be called from any thread.
+/// Reports what a slow start is doing: after two seconds, and then at most every two seconds, the
+/// current stage, each stage once. Its functions may be called from any thread.
 class StartReport {
  public:
   /// A clock that never goes back [s].
@@ -26,7 +26,7 @@ class StartReport {
   /// A stage begins, and the one before has ended.
   void begin(const std::string& stage);
 
-  /// Reports the stage if it is time to; to be called several times a second.
+  /// Reports the stage if it is time for that; to be called several times a second.
   void look();
 
  private:
@@ -34,7 +34,7 @@ class StartReport {
   Clock clock_;
   Sink sink_;
   double start_;
-  double next_;  ///< not before this is something reported
+  double next_;  ///< the earliest time of the next report
   std::string stage_;
   std::set<std::string> reported_;
 };
@@ -49,16 +49,16 @@ class ConsoleReporter : public run::Reporter {
   void progress(std::int64_t scenes_done, std::int64_t scenes) override;
   [[nodiscard]] bool stopRequested() const override;
 
-  /// An error that ends the run.
+  /// Reports an error that ends the run.
   static void fatal(const std::string& message);
 
  private:
   void start(std::int64_t scenes);
 
   std::unique_ptr<output::Progress> progress_;
-  bool is_started_ = false;  ///< a scene is there
+  bool is_started_ = false;  ///< whether a scene has been made
   std::unique_ptr<StartReport> start_report_;
-  std::unique_ptr<Ticker> ticker_;  ///< looks at `start_report_`, and ends before it
+  std::unique_ptr<Ticker> ticker_;  ///< declared last: it uses `start_report_`
 };
 
 }  // namespace synthetic_dataset::programs

@@ -14,14 +14,14 @@ namespace {
 
 constexpr int kMegabyte = 1 << 20;
 
-/// Otherwise the C library would get memory from the system for each image, which fills it with
-/// zeros, and give it back.
+/// Otherwise the C library would get memory for each image from the system, which fills it with
+/// zeros, and return it afterwards.
 void keepImages() {
-  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that all versions take
+  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that all versions accept
   mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
 }
 
-/// Whether addresses may be reserved that may never be used.
+/// Whether the process may reserve addresses that it may never use.
 bool hasRoom() {
   const auto isFree = [](auto resource) {
     rlimit limit{};
@@ -30,8 +30,8 @@ bool hasRoom() {
   return isFree(RLIMIT_AS) && isFree(RLIMIT_DATA);
 }
 
-/// A shadow map's neighbouring rows lie on different pages; the processor finds few large pages
-/// faster. Addresses for some hundred megabytes are reserved, which take memory once they are used.
+/// A shadow map's neighbouring rows lie on different pages; the processor looks up few large pages
+/// faster. Reserves addresses for some hundred megabytes, which take no memory until they are used.
 void useLargePages() {
   constexpr int kHeap = 256 * kMegabyte;
   constexpr int kUsualPad = 128 << 10;
@@ -43,7 +43,7 @@ void useLargePages() {
   const auto address = reinterpret_cast<std::uintptr_t>(first);
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
   const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage;
-  // A sanitizer has a heap elsewhere.
+  // A sanitizer's heap lies elsewhere.
   if (first != nullptr && begin < end && end - begin <= 2 * std::uintptr_t{kHeap}) {
     madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   }

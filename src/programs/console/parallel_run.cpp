@@ -17,8 +17,8 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// How many threads Mesa uses where processes share the cores. With none, the calling thread draws,
-/// which is best where each process has one core.
+/// Sets how many threads Mesa uses if processes share the cores. With none, the calling thread
+/// draws, which is best if each process has one core.
 void shareCores(int processes) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency()) / processes;
   setenv("LP_NUM_THREADS", std::to_string(cores > 1 ? cores : 0).c_str(), 0);  // keeps the user's
@@ -66,13 +66,14 @@ Value::Map ParallelRun::settingsOf(int shard) const {
   config::overlay(
       settings,
       {{"shard", Value(Value::Map{{"index", Value(shard)}, {"count", Value(config_.processes)}})}});
-  // What was to be overwritten has been removed.
+  // What was to be overwritten has already been removed.
   if (config_.output.if_exists == output::IfExists::kOverwrite)
     settings["if_exists"] = Value("resume");
   return settings;
 }
 
-/// In a process of its own, so that this one keeps no memory of the world that is read for it.
+/// Works in a process of its own, so that this one keeps no memory for the world that has to be
+/// read.
 bool ParallelRun::removeEarlier(run::Reporter& reporter) const {
   const bool is_there = std::filesystem::exists(output::manifestFile(config_.output.folder)) ||
                         !output::shardManifests(config_.output.folder).empty();

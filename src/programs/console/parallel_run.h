@@ -9,20 +9,19 @@
 
 namespace synthetic_dataset::programs {
 
-/// A run whose scenes several processes make, a shard each, which are merged into one dataset: byte
-/// for byte that of one process. Make it before there are other threads.
+/// A run whose scenes are made by several processes, one shard each, and merged into one dataset,
+/// byte for byte that of a single process. Construct it before there are other threads.
 class ParallelRun {
  public:
-  /// @param settings  all of the run's; errors in them are thrown by make(), or where this is not
-  ///     possible by the generator that makes the run instead
+  /// @param settings  all of the run's; errors in them are thrown by make() or, if isPossible() is
+  ///     false, by the generator that makes the run instead
   explicit ParallelRun(const Value& settings);
 
-  /// Whether `processes` asks for it, and the dataset that is there is not one that a single
-  /// process has to go on with.
+  /// Whether `processes` asks for it, and any dataset that exists is not one that a single process
+  /// has to resume.
   [[nodiscard]] bool isPossible() const;
 
-  /// @return once the dataset is complete, what run::mergeShards says of it; nothing when it was
-  ///     stopped
+  /// @return run::mergeShards' summary of the complete dataset; nothing if the run was stopped
   /// @throws ErrorList with all that is wrong
   [[nodiscard]] std::optional<run::RunSummary> make(run::Reporter& reporter) const;
 

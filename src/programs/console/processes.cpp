@@ -56,7 +56,7 @@ void send(int pipe, Kind kind, const std::string& text) {
   }
 }
 
-/// Takes the first whole message from what has come.
+/// Takes the first whole message from the bytes received so far.
 std::optional<Message> takeMessage(std::string& bytes) {
   if (bytes.size() < kHeader) return std::nullopt;
   std::uint32_t size = 0;
@@ -77,7 +77,7 @@ class SendingReporter : public run::Reporter {
   void stage(const std::string& what) override { send(pipe_, Kind::kStage, what); }
   void progress(std::int64_t /*scenes_done*/, std::int64_t scenes) override {
     if (!has_begun_) {
-      stop_signals::waitForScenes();
+      stop_signals::stopAfterScene();
       send(pipe_, Kind::kScenes, std::to_string(scenes));
     } else {
       send(pipe_, Kind::kScene, "");
@@ -91,7 +91,7 @@ class SendingReporter : public run::Reporter {
   bool has_begun_ = false;
 };
 
-/// How a process that waits for its turn gets it.
+/// Tells a waiting process that it is its turn.
 class Turn {
  public:
   Turn() {
@@ -108,7 +108,7 @@ class Turn {
     }
   }
 
-  /// In the process; a signal ends it before.
+  /// Called in the waiting process, which a signal may end before.
   void wait() const {
     char byte = 0;
     while (::read(ends_[0], &byte, 1) < 0 && errno == EINTR) {
@@ -120,7 +120,7 @@ class Turn {
 };
 
 [[noreturn]] void runProcess(int index, const PieceOfWork& work, int pipe, pid_t parent) {
-  setpgid(0, 0);  // a terminal's signals reach it by its parent alone, once
+  setpgid(0, 0);  // a terminal's signals reach it only through its parent, once
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(kStopped);
   stop_signals::install(stop_signals::Messages::kOff);
@@ -134,17 +134,17 @@ class Turn {
     send(pipe, Kind::kError, error.what());
   }
   std::cout.flush();
-  _exit(code);  // without what the parent would do at its end
+  _exit(code);  // without what the parent would do at exit
 }
 
 struct Process {
   pid_t id = -1;
   int pipe = -1;  ///< -1 once it has ended
   std::string bytes;
-  std::optional<std::int64_t> scenes;  ///< that it makes, once that is known
+  std::optional<std::int64_t> scenes;  ///< how many it makes, once that is known
 };
 
-/// @return how it ended, as wait(2) has it
+/// @return its status, as from wait(2)
 int waitFor(pid_t process) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -185,7 +185,7 @@ class Processes {
     processes_.push_back({id, ends[0], {}, std::nullopt});
   }
 
-  /// Until all have ended.
+  /// Waits until all have ended. @return whether none was stopped
   bool finish() {
     while (isAnyAlive()) {
       receive();
@@ -201,7 +201,7 @@ class Processes {
                        [](const Process& process) { return process.pipe >= 0; });
   }
 
-  /// Asks all to end after the scene that they make.
+  /// Asks all to end after their current scene.
   void stop() {
     if (std::exchange(is_stopping_, true)) return;
     for (const Process& process : processes_) {
@@ -209,7 +209,7 @@ class Processes {
     }
   }
 
-  /// Waits for messages, but not longer than a request to stop may wait.
+  /// Waits for messages, but not longer than a request to stop may be delayed.
   void receive() {
     constexpr int kPollTimeout = 200;  // [ms]
     std::vector<pollfd> pipes;
@@ -262,7 +262,7 @@ class Processes {
     if (std::find(errors_.begin(), errors_.end(), error) == errors_.end()) errors_.push_back(error);
   }
 
-  /// Once it is known of all processes how many scenes they make.
+  /// Reports progress once all processes have told how many scenes they make.
   void reportScenes() {
     std::int64_t all = 0;
     for (const Process& process : processes_) {
@@ -274,8 +274,8 @@ class Processes {
       reporter_.progress(0, all);
       if (isAnyAlive()) return;
     }
-    // One at a time: those that were made before all counts were known would make the run look
-    // fast.
+    // One at a time: to report all that were made before the counts were known at once would make
+    // the run look fast.
     const std::int64_t last =
         isAnyAlive() ? std::min(scenes_reported_ + 1, scenes_made_) : scenes_made_;
     while (scenes_reported_ < last) reporter_.progress(++scenes_reported_, all);
@@ -292,13 +292,13 @@ class Processes {
                "); run the same command again to go on");
     }
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : was_asked ? kStopped : kFailed;
-    if (code == kStopped || code > kShellsOffset) was_stopped_ = true;
+    if (code == kStopped || code > kSignalExitOffset) was_stopped_ = true;
     if (code == kFailed) stop();
     if (!process.scenes) process.scenes = 0;
     reportScenes();
   }
 
-  static constexpr int kShellsOffset = 128;  ///< exit codes of what a signal stopped at once
+  static constexpr int kSignalExitOffset = 128;  ///< higher exit codes: a signal ended the process
 
   run::Reporter& reporter_;
   std::vector<Process> processes_;

@@ -37,8 +37,8 @@ Value valueFromXmlRpc(XmlRpc::XmlRpcValue& value) {
 
 namespace {
 
-/// Replaces an object's `model: "param:NAME"` by the text of that ROS parameter. What is not set is
-/// left as it is, which is reported with all other errors.
+/// Replaces an object's `model: "param:NAME"` by the text of that ROS parameter. If the parameter
+/// is not set, the name stays, which is reported with all other errors.
 void takeModelsFromParameters(Value::Map& parameters) {
   const std::string start = "param:";
   for (auto& [group, content] : parameters) {
@@ -53,7 +53,8 @@ void takeModelsFromParameters(Value::Map& parameters) {
   }
 }
 
-/// The settings of the file that the private parameter `settings_file` names, if it does.
+/// The settings of the file that the private parameter `settings_file` names, if it is set. Removes
+/// this parameter.
 Value::Map takeSettingsFile(Value::Map& parameters, const config::TextFinder& package_folder) {
   const auto entry = parameters.find("settings_file");
   if (entry == parameters.end()) return {};

@@ -13,12 +13,12 @@
 
 namespace synthetic_dataset::programs {
 
-/// Reports to the console and, once a second, on topics how far a run is: `/diagnostics`, and
+/// Reports to the console and, once a second, publishes a run's progress: on `/diagnostics`, and on
 /// `~status` as JSON with `scenes_done`, `scenes`, `rate` [Hz], `time_left` [s] and `warnings`.
 class RunTopics : public ConsoleReporter {
  public:
-  /// The topics are opened before the first scene: until then, processes are forked.
-  /// @param node  has to outlive this and all messages; made where there is none
+  /// The topics are opened only just before the first scene: until then, processes are forked.
+  /// @param node  has to outlive this and all messages; made if it is empty
   explicit RunTopics(std::optional<ros::NodeHandle>& node) : node_(node) {}
 
   void warning(const std::string& message) override;

@@ -9,14 +9,14 @@
 
 namespace synthetic_dataset::programs {
 
-/// How far a run is, for programs: `scenes_done`, `scenes`, `rate` [Hz], `time_left` [s] and
+/// A run's progress, for programs: `scenes_done`, `scenes`, `rate` [Hz], `time_left` [s] and
 /// `warnings`.
 /// @param seconds  since its first scene was begun
 [[nodiscard]] Value progressValue(std::int64_t scenes_done, std::int64_t scenes, double seconds,
                                   std::int64_t warnings);
 
-/// Reports to the console and, five times a second, as a line of JSON on the standard output how
-/// far a run is.
+/// Reports to the console and, five times a second, prints the run's progress as a line of JSON on
+/// the standard output.
 class ScriptReporter : public ConsoleReporter {
  public:
   void warning(const std::string& message) override;

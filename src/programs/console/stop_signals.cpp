@@ -11,10 +11,10 @@
 namespace synthetic_dataset::programs::stop_signals {
 namespace {
 
-constexpr int kShellsOffset = 128;  // exit codes of what a signal ended, as shells have them
+constexpr int kSignalExitOffset = 128;  // of exit codes after a signal, as in shells
 constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-// A signal handler may use nothing but what lies in memory already, and lock-free atomics.
+// A signal handler may use only what lies in memory already, and lock-free atomics.
 std::atomic<int> g_requested{0};
 std::atomic<bool> g_scenes_are_made{false};
 std::atomic<pid_t> g_process{0};
@@ -31,12 +31,12 @@ void print(std::string_view message) {
 
 [[noreturn]] void endNow(int signal, std::string_view message) {
   print(message);
-  _exit(kShellsOffset + signal);
+  _exit(kSignalExitOffset + signal);
 }
 
 void onSignal(int signal) {
   const int error = errno;
-  if (getpid() != g_process) {  // forked to read a file: nothing is said, its parent sees it end
+  if (getpid() != g_process) {  // forked to read a file: prints nothing, its parent sees it end
     std::signal(signal, SIG_DFL);
     raise(signal);  // delivered when this handler returns
     return;
@@ -69,7 +69,7 @@ void install(Messages messages) {
   ignoreFailedWriting();
   struct sigaction action {};
   action.sa_handler = onSignal;
-  action.sa_flags = SA_RESTART;  // reading and writing go on as if nothing had happened
+  action.sa_flags = SA_RESTART;  // interrupted reads and writes go on
   sigemptyset(&action.sa_mask);
   for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);
   for (const int signal : kSignals) {
@@ -79,7 +79,7 @@ void install(Messages messages) {
   }
 }
 
-void waitForScenes() { g_scenes_are_made = true; }
+void stopAfterScene() { g_scenes_are_made = true; }
 
 int requested() { return g_requested; }
 

@@ -2,29 +2,29 @@
 
 namespace synthetic_dataset::programs::stop_signals {
 
-/// Whether a message on stderr says what a signal does.
+/// Whether a message on stderr tells the effect of a signal.
 enum class Messages {
   kOn,
   kOff,  ///< the process from which this one was forked prints them
 };
 
-/// SIGPIPE is ignored from now on: a run outlives the reader of its messages. So is SIGXFSZ: a
-/// limit of file sizes is reported like a full disk.
+/// Ignores SIGPIPE from now on: a run outlives the reader of its messages. Ignores SIGXFSZ, too, so
+/// that a limit of file sizes is reported like a full disk.
 void ignoreFailedWriting();
 
 /// From now on SIGINT, SIGTERM and SIGHUP (the terminal has gone) end the process with the exit
-/// code 128 + signal and a message on stderr that says how to go on. What the caller of the program
-/// ignores, as nohup does SIGHUP, stays ignored. With ignoreFailedWriting.
+/// code 128 + signal and a message on stderr that says how to go on. Signals that the program's
+/// caller ignores, as nohup does SIGHUP, stay ignored. Calls ignoreFailedWriting.
 void install(Messages messages = Messages::kOn);
 
-/// From now on the first of these signals asks for an end, which `requested` answers; a second one
-/// ends the process at once.
-void waitForScenes();
+/// From now on the first of these signals only requests a stop, which `requested` reports; a second
+/// one ends the process at once.
+void stopAfterScene();
 
-/// The signal that asked for an end; 0 when none did.
+/// The signal that requested a stop; 0 if none did.
 [[nodiscard]] int requested();
 
-/// Its name.
+/// A signal's name, such as "SIGINT".
 [[nodiscard]] const char* name(int signal);
 
 }  // namespace synthetic_dataset::programs::stop_signals

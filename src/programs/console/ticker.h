@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::programs {
 
-/// Calls a function several times a second, in a thread of its own, as long as it lives.
+/// Calls a function several times a second, in a thread of its own, until it is destroyed.
 class Ticker {
  public:
   explicit Ticker(std::function<void()> tick);
@@ -21,7 +21,7 @@ class Ticker {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool is_over_ = false;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< declared last: it uses the other members
 };
 
 }  // namespace synthetic_dataset::programs

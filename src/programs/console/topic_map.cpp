@@ -43,7 +43,7 @@ bool namesBags(const Value* files) {
   return list != nullptr ? !list->empty() : text == nullptr || !text->empty();
 }
 
-/// The topic of which a map is wanted; empty where none is, or something is wrong, which is
+/// The topic from which a map is wanted; empty if none is, or if something is wrong, which is
 /// reported with all other errors.
 std::string wantedTopic(const Value& settings) {
   const Value* placement = entryIn(&settings, "placement");
@@ -73,10 +73,10 @@ std::string publishersOf(const std::string& topic) {
   return nodes;
 }
 
-/// What the master knows of topics.
+/// What the master knows about topics.
 struct Topics {
-  std::string type;            ///< of the one that is wanted; empty: nobody publishes it
-  std::set<std::string> maps;  ///< that are of the right type
+  std::string type;            ///< of the wanted topic; empty: nobody publishes it
+  std::set<std::string> maps;  ///< the topics of the right type
 };
 
 Topics askMaster(const std::string& topic) {
@@ -121,7 +121,7 @@ nav_msgs::OccupancyGrid waitFor(const std::string& topic, ros::NodeHandle& node)
       topic, 1, [&](const nav_msgs::OccupancyGrid::ConstPtr& message) { map = message; }, {},
       &queue);
   const ros::Subscriber subscriber = node.subscribe(options);
-  // The wall's clock: a simulation's may stand still.
+  // Wall-clock time: a simulation's clock may stand still.
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kTimeout);
   while (!map && ros::ok() && ros::WallTime::now() < end) {
     queue.callAvailable(ros::WallDuration(0.1));
@@ -131,7 +131,7 @@ nav_msgs::OccupancyGrid waitFor(const std::string& topic, ros::NodeHandle& node)
   return *map;
 }
 
-/// The group `placement` of a motion's own settings; of the run's, where it has no own ones.
+/// The group `placement` of a motion's own settings, or of the run's if the motion has none.
 Value::Map& placementOf(Value& settings, const config::MotionEntry& motion) {
   Value::Map* group = settings.as<Value::Map>();
   if (!motion.group.empty()) {

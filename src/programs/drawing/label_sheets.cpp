@@ -25,7 +25,7 @@ const cv::Scalar kSheetColour = cv::Scalar::all(30);
 LabelSheets::LabelSheets(const std::string& folder, const std::optional<std::string>& writer,
                          std::function<void(const std::string&)> warn)
     : dataset_(folder),
-      is_one_(writer.has_value()),
+      has_single_writer_(writer.has_value()),
       writers_(dataset_.writers()),
       warn_(std::move(warn)) {
   if (writers_.empty()) throw Error("'" + folder + "': its manifest lists no writers");
@@ -62,7 +62,7 @@ formats::WrittenScene LabelSheets::written(const output::WrittenWriter& writer,
           kept_,         writer.settings};
 }
 
-/// Without an image where the writer made nothing of the scene that can be read.
+/// Returns no image if the writer made nothing of the scene that can be read.
 formats::LabelledPicture LabelSheets::labelsOf(const output::WrittenWriter& writer,
                                                std::int64_t scene) const {
   const formats::Format* format = formats::formatOf(writer.type);
@@ -71,7 +71,7 @@ formats::LabelledPicture LabelSheets::labelsOf(const output::WrittenWriter& writ
   if (files.files.empty()) return {};
   formats::LabelledPicture picture = format->read(files);
   if (format->clouds == nullptr) return picture;
-  for (formats::DrawnLabel& label : picture.labels) {  // as in pictures of clouds
+  for (formats::DrawnLabel& label : picture.labels) {  // the same colours as in pictures of clouds
     if (label.colour || label.class_names.size() != 1) continue;
     const auto found = std::find(classes_.begin(), classes_.end(), label.class_names.front());
     if (found != classes_.end()) label.colour = static_cast<std::size_t>(found - classes_.begin());
@@ -124,14 +124,14 @@ void LabelSheets::reading(const output::WrittenWriter& writer, const std::functi
   try {
     read();
   } catch (const std::exception& error) {
-    if (is_one_) throw;
+    if (has_single_writer_) throw;
     // After a run that was stopped, formats with files for the whole dataset cannot be read.
     const std::string message = "left out '" + writer.name + "': " + error.what();
     if (warned_.insert(message).second) warn_(message);
   }
 }
 
-/// The image with its labels, and the clouds beside it; empty where the writer made none of them.
+/// The image with its labels, and the clouds beside it; empty if the writer made none of them.
 cv::Mat LabelSheets::pictureOf(const output::WrittenWriter& writer, std::int64_t scene) const {
   std::vector<cv::Mat> parts;
   const formats::LabelledPicture labels = labelsOf(writer, scene);
@@ -171,7 +171,7 @@ std::optional<cv::Mat> LabelSheets::image(std::int64_t scene) const {
     try {
       const cv::Mat image = labelsOf(writer, scene).image;
       if (!image.empty()) return image;
-    } catch (const Error&) {  // another one has it, too
+    } catch (const Error&) {  // another writer may have it, too
     }
   }
   return std::nullopt;
@@ -202,7 +202,7 @@ std::optional<cv::Mat> LabelSheets::regularSheet(std::int64_t scene) {
   return sheetOf(panels);
 }
 
-/// The panels in rows that make a sheet about as wide as high.
+/// Arranges the panels in about as many columns as rows.
 std::optional<cv::Mat> LabelSheets::sheetOf(const std::vector<Panel>& panels) {
   cv::Size cell;
   for (const Panel& panel : panels) {

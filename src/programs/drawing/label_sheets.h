@@ -22,40 +22,41 @@ namespace synthetic_dataset::programs {
 /// Draws scenes of a dataset with the labels that the files of its formats contain.
 class LabelSheets {
  public:
-  /// @param folder  of the run's manifest
-  /// @param writer  the name of the one that is drawn; without it, a panel for each
-  /// @param warn  gets each reason why a writer's panel of a scene is left out, once
+  /// @param folder  the one that contains the run's manifest
+  /// @param writer  the name of the only writer to draw; without it, each writer has a panel
+  /// @param warn  receives each reason why a writer's panel of a scene is left out, once
   /// @throws Error when there is no dataset, or it has no such writer
   LabelSheets(const std::string& folder, const std::optional<std::string>& writer,
               std::function<void(const std::string&)> warn);
 
   [[nodiscard]] const output::WrittenDataset& dataset() const { return dataset_; }
 
-  /// A panel for each writer that made a picture of the scene; nothing where none did.
+  /// A panel for each writer that made a picture of the scene; nothing if none did.
   /// @throws Error when there is no such scene, or the one writer's files cannot be read
   [[nodiscard]] std::optional<cv::Mat> sheet(std::int64_t scene);
 
-  /// The same with a panel for each writer that makes pictures, so that all sheets are alike.
+  /// Like sheet(), but with a panel for every writer that makes pictures, so that all sheets have
+  /// the same layout.
   [[nodiscard]] std::optional<cv::Mat> regularSheet(std::int64_t scene);
 
   /// The scene's image with the labels of the one writer, or of the first that can be read, without
-  /// clouds; nothing where there is no image.
+  /// clouds; nothing if there is no image.
   [[nodiscard]] std::optional<cv::Mat> labelledImage(std::int64_t scene);
 
   /// A lidar's sweep of a scene.
   struct Sweep {
-    std::string writer;  ///< whose files it is read from
+    std::string writer;  ///< the writer whose files it is read from
     formats::LabelledCloud cloud;
   };
 
-  /// The sweeps of a scene's lidars, each once: from the writer whose files say most of it.
+  /// One sweep for each lidar of a scene, from the writer whose files contain most about it.
   [[nodiscard]] std::vector<Sweep> sweeps(std::int64_t scene);
 
-  /// A sweep as sheets have it.
+  /// Draws a sweep in the form used on sheets.
   [[nodiscard]] cv::Mat drawn(const Sweep& sweep) const;
 
-  /// The scene's image without labels, as the first writer has it that can be read; nothing where
-  /// none did.
+  /// The scene's image without labels, from the first writer with one that can be read; nothing if
+  /// there is none.
   [[nodiscard]] std::optional<cv::Mat> image(std::int64_t scene) const;
 
   /// The writers that are drawn: "coco, yolo"
@@ -64,7 +65,7 @@ class LabelSheets {
  private:
   struct Panel {
     std::string caption;
-    cv::Mat picture;  ///< empty where the writer made none of the scene
+    cv::Mat picture;  ///< empty if the writer made none of the scene
   };
 
   [[nodiscard]] std::vector<Panel> panelsOf(std::int64_t scene);
@@ -76,15 +77,16 @@ class LabelSheets {
                                                              std::int64_t scene) const;
   [[nodiscard]] cv::Mat pictureOf(const output::WrittenWriter& writer, std::int64_t scene) const;
 
-  /// Does what reads a writer's files, of which a scene may be without where there are others.
+  /// Calls a function that reads a writer's files. If it fails, warns and goes on, unless this
+  /// writer was asked for.
   void reading(const output::WrittenWriter& writer, const std::function<void()>& read);
   [[nodiscard]] static std::optional<cv::Mat> sheetOf(const std::vector<Panel>& panels);
 
   output::WrittenDataset dataset_;
-  bool is_one_ = false;  ///< whether one writer was asked for
+  bool has_single_writer_ = false;  ///< whether one writer was asked for
   std::vector<output::WrittenWriter> writers_;
   std::vector<std::string> classes_;          ///< of objects, in the order of their ids
-  std::map<std::string, std::int64_t> rays_;  ///< of a sweep, by the lidar's name
+  std::map<std::string, std::int64_t> rays_;  ///< per sweep, by the lidar's name
   std::shared_ptr<formats::KeptFiles> kept_ = std::make_shared<formats::KeptFiles>();
   std::function<void(const std::string&)> warn_;
   std::set<std::string> warned_;

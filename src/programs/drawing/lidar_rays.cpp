@@ -9,7 +9,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// The group of settings that are named by their paths in it.
+/// Builds a group from settings that are named by their paths in it.
 Value groupOf(const std::map<std::string, Value>& settings) {
   Value::Map group;
   std::map<std::string, std::map<std::string, Value>> inner;

@@ -8,8 +8,8 @@
 
 namespace synthetic_dataset::programs {
 
-/// How many rays a sweep of each lidar has that the settings of a run describe, by its name. Not of
-/// scanners of a world's files, nor of those that belong to single motions.
+/// The number of rays in a sweep, by lidar name, for the lidars that the settings of a run
+/// describe. Excludes scanners from a world's files and lidars that belong to single motions.
 [[nodiscard]] std::map<std::string, std::int64_t> raysOfLidars(const output::RunDescription& run);
 
 }  // namespace synthetic_dataset::programs

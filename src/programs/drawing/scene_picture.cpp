@@ -11,7 +11,7 @@ namespace {
 
 cv::Point2d imagePoint(const Eigen::Vector2d& pixel) { return {pixel.x(), pixel.y()}; }
 
-/// What an object has, as far as the camera sees something of it.
+/// The label to draw for an object of which the camera sees something.
 formats::DrawnLabel labelOf(const Scene& scene, const SceneObject& object) {
   formats::DrawnLabel label;
   label.caption = object.name + ", " + std::to_string(object.pixels.visible()) + " px, " +

@@ -5,8 +5,8 @@
 
 namespace synthetic_dataset::programs {
 
-/// A sweep's numbers: `lidar`, `points`, `rays` where it is known how many there were, `labelled`,
-/// and how many points each of `classes` (by name; "" for those of none) and each of `objects` has.
+/// A sweep's figures: `lidar`, `points`, `rays` if their number is known, `labelled`, and how many
+/// points each of `classes` (by name; "" for points without a class) and each of `objects` has.
 [[nodiscard]] Value::Map sweepFacts(const formats::LabelledCloud& cloud);
 
 }  // namespace synthetic_dataset::programs

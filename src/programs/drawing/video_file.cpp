@@ -31,14 +31,14 @@ std::vector<std::string> commandFor(const std::string& file, double rate, const 
   return {"ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format",
           "bgr24", "-video_size", std::to_string(size.width) + "x" + std::to_string(size.height),
           "-framerate", fixed(rate, 3), "-i", "pipe:0",
-          // What browsers play: even sizes, a colour for four pixels, the index at the beginning.
+          // What browsers play: even sizes, one colour per four pixels, the index at the beginning.
           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-crf", "20", "-movflags",
           "+faststart",
-          // A name that begins with a dash would be an option.
+          // Without the prefix, a name that begins with a dash would be taken as an option.
           "file:" + file};
 }
 
-/// The picture, smaller if it has to be, in the middle of one of this size.
+/// The picture, scaled to fit and centred in one of this size.
 cv::Mat fitted(const cv::Mat& picture, const cv::Size& size) {
   const double scale = std::min(static_cast<double>(size.width) / picture.cols,
                                 static_cast<double>(size.height) / picture.rows);
@@ -65,7 +65,8 @@ VideoFile::~VideoFile() {
 }
 
 void VideoFile::start() {
-  // A socket and not a pipe: writing to a program that has ended is then an error, no signal.
+  // A socket instead of a pipe: writing to a program that has ended then fails with an error, not
+  // a signal.
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw Error("cannot start ffmpeg: " + lastError());

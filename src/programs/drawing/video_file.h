@@ -8,23 +8,23 @@
 
 namespace synthetic_dataset::programs {
 
-/// A film that ffmpeg, a program of its own, makes of pictures.
+/// A video that ffmpeg, in a process of its own, encodes from pictures.
 class VideoFile {
  public:
   /// @param file  ends in .mp4
-  /// @param rate  pictures a second [Hz]
+  /// @param rate  pictures per second [Hz]
   VideoFile(std::string file, double rate);
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  /// Stops ffmpeg where `finish` was not called.
+  /// Stops ffmpeg if `finish` was not called.
   ~VideoFile();
 
-  /// @param picture  8 bit BGR; one of another size than the first is fitted into that
-  /// @throws Error when ffmpeg is not there or ends
+  /// @param picture  8 bit BGR; fitted into the first picture's size if its own differs
+  /// @throws Error when ffmpeg is not installed or has ended
   void add(const cv::Mat& picture);
 
-  /// Waits until the film is whole. @throws Error when it is not, or has no picture
+  /// Waits until the video is complete. @throws Error when ffmpeg fails or there was no picture
   void finish();
 
  private:
@@ -36,7 +36,7 @@ class VideoFile {
   double rate_ = 0.0;
   cv::Size size_;
   pid_t process_ = -1;
-  int input_ = -1;  ///< of ffmpeg
+  int input_ = -1;  ///< ffmpeg's standard input
 };
 
 }  // namespace synthetic_dataset::programs

@@ -5,21 +5,21 @@
 
 namespace synthetic_dataset::programs {
 
-/// The files that are part of the programs: those of the set-up page, params.yaml and some of the
-/// documentation; or, for the page's developers, those in a folder instead of the page's.
+/// The files that are compiled into the programs: those of the set-up page, params.yaml and some of
+/// the documentation. For the page's developers, files in a folder take precedence over these.
 class EmbeddedFiles {
  public:
-  /// @param folder  empty: those of the program; else what it has comes first
+  /// @param folder  searched first; empty: only the compiled-in files
   explicit EmbeddedFiles(std::string folder = "");
 
-  /// A file's content by its name; nothing where there is none.
+  /// A file's content by its name; nothing if there is no such file.
   [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
 
  private:
   std::string folder_;
 };
 
-/// What kind of file it is, by its name.
+/// A file's media type, by its name's extension.
 [[nodiscard]] std::string mediaTypeOf(const std::string& name);
 
 }  // namespace synthetic_dataset::programs

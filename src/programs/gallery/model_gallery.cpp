@@ -32,7 +32,7 @@ void write(cv::Mat& sheet, const std::string& text, const cv::Point& place, cons
   cv::putText(sheet, text, place, kFont, kFontScale, ink, 1, cv::LINE_AA);
 }
 
-/// The text's end where the whole is too wide: names differ there.
+/// The text, or only its end if it is too wide: names differ there.
 std::string fitted(const std::string& text, int width) {
   if (widthOf(text) <= width) return text;
   std::size_t cut = 1;
@@ -50,7 +50,7 @@ std::vector<std::string> wrapped(const std::string& text, int width) {
   return lines;
 }
 
-/// What is missing, in few words: the file's name where the note says one.
+/// What is missing, in few words: the file's name if the note gives one.
 std::string shortened(const std::string& note) {
   const std::size_t end = note.find("': no such file");
   const std::size_t begin = end == std::string::npos ? end : note.rfind('\'', end - 1);
@@ -73,7 +73,7 @@ bool isAbout(const std::string& note, const std::string& model) {
   return note.find("model '" + model + "'") != std::string::npos;
 }
 
-/// One model of a world, or all of it.
+/// The entry for one model of a world, or for the whole world.
 GalleryEntry entryOf(const world::Description& description, const std::string& name,
                      const cv::Size& size) {
   GalleryEntry entry;

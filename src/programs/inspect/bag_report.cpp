@@ -15,7 +15,7 @@ using motion::RecordedFrame;
 
 std::string secondsOfStamp(Duration time) { return fixed(toSeconds(time), 3); }
 
-/// "20.0 Hz, 47.6 .. 108.8 s, travels 3.1 x 2.0 x 0.0 m, by /robot_state_publisher".
+/// "20.0 Hz, 47.600 s to 108.800 s, travels in 3.10 x 2.00 x 0.00 m, by /robot_state_publisher".
 std::string frameLine(const RecordedFrame& frame) {
   std::string text = frame.is_static ? "static" : "";
   if (!frame.is_static) {
@@ -37,7 +37,7 @@ std::string frameLine(const RecordedFrame& frame) {
   return text;
 }
 
-/// The frames below one, each with what is below it.
+/// Prints the frames below a frame, each followed by those below it.
 void printTree(const BagContents& contents, const std::string& parent, const std::string& indent,
                std::set<std::string>& printed, std::ostream& out) {
   for (const RecordedFrame& frame : contents.frames) {
@@ -54,14 +54,14 @@ const RecordedFrame* frameOf(const BagContents& contents, const std::string& nam
   return nullptr;
 }
 
-/// "; known in 2.0 s of 10.0 s, as 'odom' is in 'map'": of the links from a frame to its root the
-/// one that is known the shortest, where that costs more than a tenth of the recording.
+/// "; known in 2.0 s of 10.0 s, as 'odom' is in 'map' (...)": names the link between a frame and
+/// its root that is known for the shortest time, if that costs more than a tenth of the recording.
 std::string knownText(const BagContents& contents, const std::string& name) {
   constexpr double kMuch = 0.9;
   const Duration whole = contents.times.end - contents.times.start;
   Duration shortest = whole;
   std::string link;
-  std::set<std::string> seen;  // a recording can hold loops
+  std::set<std::string> seen;  // a recording can contain loops
   for (const RecordedFrame* frame = frameOf(contents, name);
        frame != nullptr && seen.insert(frame->name).second;
        frame = frameOf(contents, frame->parents.front())) {

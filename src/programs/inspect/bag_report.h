@@ -9,13 +9,13 @@
 
 namespace synthetic_dataset::programs {
 
-/// What a recording has, for the eye: frames as a tree with rate, times and how far each travels;
-/// topics; which frames look like robots and cameras; robots' models, here and on the parameter
-/// server.
+/// The contents of a recording as text for people: frames as a tree with rate, times and how far
+/// each travels; topics; which frames look like robots and cameras; robots' models, in the
+/// recording and on the parameter server.
 [[nodiscard]] std::string bagText(const motion::BagContents& contents,
                                   const std::vector<ServerDescription>& on_server);
 
-/// The same for programs. Times and lengths are numbers [s], [m].
+/// The same for programs. Times are numbers in [s], lengths in [m].
 [[nodiscard]] Value bagValue(const motion::BagContents& contents,
                              const std::vector<ServerDescription>& on_server);
 

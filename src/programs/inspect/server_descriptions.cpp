@@ -19,7 +19,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// Whether a connection is made within a time; ROS itself waits for as long as the system does.
+/// Whether a connection succeeds within a time; ROS itself would wait as long as the system does.
 bool connects(const addrinfo& address, int milliseconds) {
   const int socket = ::socket(address.ai_family, address.ai_socktype, address.ai_protocol);
   if (socket < 0) return false;
@@ -59,7 +59,7 @@ std::vector<ServerDescription> descriptionsOnServer() {
     ros::init(ros::M_string(), "inspect",
               ros::init_options::AnonymousName | ros::init_options::NoSigintHandler |
                   ros::init_options::NoRosout);
-  } catch (const std::exception&) {  // no ROS_MASTER_URI, for one
+  } catch (const std::exception&) {  // for example, no ROS_MASTER_URI
     return {};
   }
   std::vector<std::string> names;

@@ -9,18 +9,19 @@
 
 namespace synthetic_dataset::programs {
 
-/// The folders around a file in which the models that it names may lie, and are not looked for
-/// otherwise: `models` beside it or beside its folder.
+/// The folders around a file that may contain the models that it names, but are not searched
+/// otherwise: `models` beside the file or beside its folder.
 [[nodiscard]] std::vector<std::string> modelFoldersAround(const std::filesystem::path& file);
 
-/// A world or model file, without what is missing of it; that is in the notes.
+/// Loads a world or model file without the assets that are missing; its notes list these.
 /// @throws ErrorList as world::loadWorld
 [[nodiscard]] world::Description readForInspection(const std::filesystem::path& file);
 
-/// What a world or a model has, for the eye: models with sizes and places, links, lights, cameras.
+/// The contents of a world or a model as text for people: models with sizes and places, links,
+/// lights, cameras, lidars.
 [[nodiscard]] std::string worldText(const world::Description& description);
 
-/// The same for programs. Lengths are numbers [m].
+/// The same for programs. Lengths are numbers in [m].
 [[nodiscard]] Value worldValue(const world::Description& description);
 
 }  // namespace synthetic_dataset::programs

@@ -27,7 +27,7 @@ PreviewControl::PreviewControl(std::function<bool()> is_ended, double rate)
     : is_ended_(std::move(is_ended)), order_(Order{0, true}), period_(periodOf(rate)) {}
 
 void PreviewControl::order(std::int64_t instant, bool reads_settings) {
-  // What was to be read is still to be read.
+  // A pending order to read the settings is not lost.
   const bool was_to_read = order_ && order_->reads_settings;
   order_ = Order{std::max<std::int64_t>(instant, 0), reads_settings || was_to_read};
   changed_.notify_all();
@@ -88,12 +88,12 @@ void PreviewControl::setRate(double rate) {
 PreviewControl::State PreviewControl::state() const {
   const Lock lock(mutex_);
   if (order_ || (is_making_ && !has_shown_)) return State::kLoading;
-  return is_playing_ ? State::kPlaying : State::kStanding;
+  return is_playing_ ? State::kPlaying : State::kPaused;
 }
 
 std::optional<PreviewControl::Order> PreviewControl::awaitOrder() {
   Lock lock(mutex_);
-  // What was played to its end stands there.
+  // A run that was played to its end stays there.
   is_making_ = false;
   if (!order_) is_playing_ = false;
   while (!order_ && !is_ended_()) waitForChange(lock, std::nullopt);
@@ -115,7 +115,7 @@ bool PreviewControl::isInterrupted() const {
 bool PreviewControl::awaitTurn(std::int64_t instant) {
   Lock lock(mutex_);
   while (!isInterruptedHere()) {
-    if (has_shown_ && instant == instant_) return true;  // another camera's scene
+    if (has_shown_ && instant == instant_) return true;  // another camera's scene of the instant
     const bool is_time = is_playing_ && Clock::now() >= next_;
     if (turns_ > 0 || is_time) {
       turns_ = std::max<std::int64_t>(turns_ - 1, 0);

@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::programs {
 
-/// Which instant of a run is shown, and when the next one is.
+/// Controls which instant of a run is shown, and when the next one follows.
 ///
 /// Users give commands from any thread. The thread that makes scenes asks for orders, and makes the
 /// scenes from an order's instant on until it is interrupted; the thread that shows them waits for
@@ -19,13 +19,13 @@ class PreviewControl {
   /// What to make: the run's scenes from an instant on.
   struct Order {
     std::int64_t instant = 0;
-    bool reads_settings = false;  ///< anew
+    bool reads_settings = false;  ///< whether to read the settings again first
   };
 
-  enum class State { kLoading, kStanding, kPlaying };
+  enum class State { kLoading, kPaused, kPlaying };
 
-  /// @param is_ended  asked now and then while something waits: whether the program is to end
-  /// @param rate  instants per second when it plays [Hz], above 0
+  /// @param is_ended  called now and then while a thread waits: whether the program is to end
+  /// @param rate  instants per second while it plays [Hz], at least 0.001
   PreviewControl(std::function<bool()> is_ended, double rate);
 
   void step();
@@ -35,17 +35,17 @@ class PreviewControl {
   void jumpTo(std::int64_t instant);
   void reload();
 
-  /// The instant that is shown has to be made again, for what was not made of it.
+  /// Orders the instant that is shown again, to make what was not made of it before.
   void makeAgain();
 
-  /// @throws Error unless it is above 0 and finite
+  /// @throws Error unless it is finite and at least 0.001 Hz
   void setRate(double rate);
 
   [[nodiscard]] State state() const;
 
   // For the thread that makes scenes:
 
-  /// Waits until there is something to make. Nothing: the program ends.
+  /// Waits until there is something to make. Returns nothing when the program ends.
   [[nodiscard]] std::optional<Order> awaitOrder();
 
   /// Whether there is another order, or the program ends.
@@ -53,8 +53,8 @@ class PreviewControl {
 
   // For the thread that shows them:
 
-  /// Waits until an instant, the next one of the order that is carried out, is to be shown.
-  /// @return false when it is not, as there is another order
+  /// Waits until it is time to show an instant, the next one of the current order.
+  /// @return false when it is not to be shown, as there is another order or the program ends
   [[nodiscard]] bool awaitTurn(std::int64_t instant);
 
  private:
@@ -69,11 +69,11 @@ class PreviewControl {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Order> order_;  ///< not yet carried out
-  std::int64_t instant_ = 0;    ///< that is shown or, before that, was ordered
-  bool is_making_ = false;      ///< what was ordered
-  bool has_shown_ = false;      ///< something of that
+  std::int64_t instant_ = 0;    ///< the one that is shown or, before that, was ordered
+  bool is_making_ = false;      ///< whether an order is being carried out
+  bool has_shown_ = false;      ///< whether an instant of that order has been shown
   bool is_playing_ = false;
-  std::int64_t turns_ = 0;  ///< instants that may be shown at once
+  std::int64_t turns_ = 0;  ///< how many instants may be shown without waiting
   Clock::duration period_;
   Clock::time_point next_;  ///< when the next instant is shown while it plays
 };

@@ -15,7 +15,7 @@ using visualization_msgs::Marker;
 constexpr double kPointSize = 0.03;  // [m]
 constexpr double kLineWidth = 0.01;  // [m]
 constexpr double kViewDepth = 1.0;   // [m]
-constexpr int kPiecesOfASide = 8;    // as lenses bend it
+constexpr int kPiecesOfASide = 8;    // of the image, since lenses bend it
 
 geometry_msgs::Point pointOf(const Eigen::Vector3d& p_G) {
   geometry_msgs::Point point;
@@ -73,7 +73,7 @@ Marker shapeMarker(const std_msgs::Header& header, const SceneObject& object) {
   return marker;
 }
 
-/// Points around the image's edge, of which lenses see some alone.
+/// Points around the image's edge; a lens may see only some of them.
 std::vector<Eigen::Vector2d> edgeOf(const CameraModel& camera) {
   const Box image = camera.imageBounds();
   const std::array<Eigen::Vector2d, 5> corners = {
@@ -91,7 +91,7 @@ std::vector<Eigen::Vector2d> edgeOf(const CameraModel& camera) {
   return points;
 }
 
-/// Of each instance number, the world's, 0, first.
+/// The colour of each instance number, beginning with 0, the world's.
 std::vector<std_msgs::ColorRGBA> coloursOf(const std::vector<SceneObject>& objects) {
   std::vector<std_msgs::ColorRGBA> colours(1, colourOf(0.6F, 0.6F, 0.6F));
   for (const SceneObject& object : objects) {

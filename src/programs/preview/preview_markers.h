@@ -8,26 +8,26 @@
 #include "run/setup/motion_setup.h"
 #include "synthetic_dataset/scene.h"
 
-/// What RViz shows of a preview, in the global frame.
+/// The markers of a preview for RViz, in the global frame.
 namespace synthetic_dataset::programs {
 
-/// Each labelled object's box and name, its keypoints (green where they are seen) and its
-/// bounding shape's points; what was shown before goes first.
+/// Each labelled object's box and name, its keypoints (green if they are seen) and its bounding
+/// shape's points; the first marker deletes what was shown before.
 /// @param scene  with visibility or visible masks, and with keypoint states
 [[nodiscard]] visualization_msgs::MarkerArray labelMarkers(const Scene& scene,
                                                            const ros_messages::SceneFrames& frames);
 
-/// The edges of what a camera sees, up to a metre from it.
+/// The edges of a camera's field of view, up to a metre from it.
 [[nodiscard]] visualization_msgs::Marker viewMarker(const Scene& scene,
                                                     const ros_messages::SceneFrames& frames);
 
-/// What lidars measure, in the global frame: points of objects in the colours of their boxes,
-/// others darker, by their class of the world, or grey.
+/// The points that lidars measure, in the global frame: those of objects in the colours of their
+/// boxes, those of the world in a darker colour for their class, or grey without one.
 /// @param scene  with clouds
 [[nodiscard]] visualization_msgs::MarkerArray cloudMarkers(const Scene& scene,
                                                            const ros_messages::SceneFrames& frames);
 
-/// Where the objects of a recording go: a line each. Of placed scenes there are none.
+/// The paths of a recording's objects, a line each. Placed scenes have none.
 /// @param stamp  of the messages
 [[nodiscard]] visualization_msgs::MarkerArray wayMarkers(const run::MotionSetup& motion,
                                                          const ros_messages::SceneFrames& frames,

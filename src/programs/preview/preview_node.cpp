@@ -26,7 +26,7 @@ namespace {
 class PreviewSink : public run::SceneSink {
  public:
   /// @param control  has to outlive this
-  /// @param show  gets each scene when it is its turn, in the thread that adds it
+  /// @param show  receives each scene when it is its turn, in the thread that adds it
   PreviewSink(PreviewControl& control, std::int64_t first_instant, const Requirements& requirements,
               std::function<void(const Scene&)> show);
 
@@ -70,7 +70,7 @@ std::string nameOf(PreviewControl::State state) {
   switch (state) {
     case PreviewControl::State::kLoading:
       return "loading";
-    case PreviewControl::State::kStanding:
+    case PreviewControl::State::kPaused:
       return "standing";
     case PreviewControl::State::kPlaying:
       return "playing";
@@ -78,7 +78,7 @@ std::string nameOf(PreviewControl::State state) {
   return "";
 }
 
-/// The middle of all objects that are somewhere, and how far they reach from it [m].
+/// The middle of all objects that have a pose, and how far they reach from it [m].
 Value::Map ballAround(const std::vector<SceneObject>& objects) {
   Eigen::AlignedBox3d box;
   for (const SceneObject& object : objects) {
@@ -92,7 +92,7 @@ Value::Map ballAround(const std::vector<SceneObject>& objects) {
           {"reach", Value(0.5 * box.diagonal().norm())}};
 }
 
-/// Warnings come to the console, once each; another order stops the loop.
+/// Prints warnings on the console; another order stops the loop.
 class PreviewReporter : public run::Reporter {
  public:
   explicit PreviewReporter(const PreviewControl& control) : control_(control) {}

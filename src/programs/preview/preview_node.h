@@ -30,8 +30,8 @@ namespace synthetic_dataset::programs {
 /// are made in the thread that calls run().
 class PreviewNode {
  public:
-  /// @param node  below whose name all topics are
-  /// @param read_settings  reads them anew
+  /// @param node  the handle in whose namespace the topics are
+  /// @param read_settings  returns the settings, read again
   PreviewNode(ros::NodeHandle& node, std::function<Value()> read_settings);
 
   /// Shows scenes until ROS shuts down.
@@ -49,14 +49,14 @@ class PreviewNode {
   ros::NodeHandle& node_;
   std::function<Value()> read_settings_;
   Value settings_;
-  run::InputCache inputs_;  ///< of one order for the next
+  run::InputCache inputs_;  ///< kept from one order to the next
   PreviewControl control_;
   SceneTopics topics_;
-  std::mutex mutex_;            ///< of what follows
+  std::mutex mutex_;            ///< guards times_, of_run_, shown_ and surroundings_
   std::vector<Stamp> times_;    ///< of the run's instants
-  Value::Map of_run_;           ///< of the status, what holds for all instants
+  Value::Map of_run_;           ///< the part of the status that holds for all instants
   std::optional<Scene> shown_;  ///< without its pictures
-  Value::Map surroundings_;     ///< of the status, where the objects are
+  Value::Map surroundings_;     ///< the part of the status that says where the objects are
   ros::Publisher status_;
   std::vector<ros::ServiceServer> services_;
   std::vector<ros::Subscriber> subscribers_;

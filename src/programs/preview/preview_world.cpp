@@ -12,9 +12,9 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr std::size_t kMostTriangles = 300000;  // 21 MB of a message
+constexpr std::size_t kMostTriangles = 300000;  // a message of 36 MB
 
-/// A texture is seen as its mean, as markers have none.
+/// A texture is replaced by its mean colour, since markers have no textures.
 std_msgs::ColorRGBA colourOf(const world::Material& material) {
   Eigen::Vector4f colour = material.diffuse;
   if (material.texture) {
@@ -54,7 +54,7 @@ void appendVisual(const world::Visual& visual, const Pose& X_GL, Marker& marker)
   }
 }
 
-/// The world's own links, those with few triangles first, as far as they can be drawn.
+/// The world's own links, those with few triangles first, as many as can be drawn.
 std::vector<std::size_t> drawnLinks(const world::World& world) {
   std::vector<std::pair<std::size_t, std::size_t>> links;  // by triangles
   for (std::size_t i = 0; i < world.links().size(); ++i) {

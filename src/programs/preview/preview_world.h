@@ -7,9 +7,9 @@
 
 namespace synthetic_dataset::programs {
 
-/// The world's surroundings and props where they are now, in the global frame and the colours of
-/// their materials: a marker for each link. The largest are left out where all have more triangles
-/// than RViz draws in time.
+/// The world's surroundings and props at their current poses, in the global frame and the colours
+/// of their materials: a marker for each link. The largest are left out if all together have more
+/// triangles than RViz draws in time.
 /// @param stamp  of the messages
 [[nodiscard]] visualization_msgs::MarkerArray worldMarkers(const world::World& world,
                                                            const ros_messages::SceneFrames& frames,

@@ -57,7 +57,7 @@ ros::Publisher SceneTopics::advertise(const std::string& topic, std::function<bo
   return node_.advertise<Message>(topic, kQueue, ask, {}, {}, true);
 }
 
-/// It is large, and made for somebody alone.
+/// The world's message is large, and is made only if somebody subscribes.
 void SceneTopics::showWorld(const world::World& world) {
   const bool is_heard = isHeard(world_);
   {

@@ -20,27 +20,27 @@ namespace synthetic_dataset::programs {
 
 /// The topics of a preview: below the node's name those of each camera (`CAMERA/image_raw`,
 /// `camera_info`, `image_labels`, `depth/image_raw`, `depth/camera_info`, `instances`) and
-/// `labels`, `views`, `ways` for RViz; `/tf`. All but the latter are latched, so who comes late
-/// sees what is shown.
+/// `labels`, `views`, `ways`, `clouds`, `world` for RViz; `/tf`. All but the last are latched, so
+/// that late subscribers receive what is shown.
 class SceneTopics {
  public:
-  /// @param on_missing  called, in the thread of callbacks, when somebody subscribes to what was
-  /// not
-  ///     made
+  /// @param on_missing  called, in the thread of callbacks, when somebody subscribes to a topic for
+  ///     which nothing was made
   SceneTopics(ros::NodeHandle& node, const std::string& frame_prefix,
               std::function<void()> on_missing);
 
-  /// Makes the topics of a run's cameras, and shows the world and the objects' ways.
+  /// Makes the topics of a run's cameras, and shows the world and the objects' paths.
   void open(const run::RunSetup& setup);
 
-  /// Below which each camera's topics are, in the order of the cameras.
+  /// The prefix of each camera's topics, in the order of the cameras.
   [[nodiscard]] const std::vector<std::string>& cameraTopics() const { return camera_topics_; }
 
-  /// What has to be made of each scene for those who listen now. It is what is made from now on.
+  /// What each scene has to contain for those who subscribe now. From now on, this counts as what
+  /// is made.
   [[nodiscard]] Requirements takeRequirements();
 
-  /// Publishes what was made of a scene, as of now: at the wall's time, as a preview goes back,
-  /// too, which listeners to TF do not bear.
+  /// Publishes what was made of a scene, stamped with the current wall-clock time: a preview also
+  /// goes back in time, which TF listeners do not tolerate.
   void show(const Scene& scene);
 
  private:
@@ -55,7 +55,7 @@ class SceneTopics {
     ros::Publisher instances;
   };
 
-  /// @param is_made  whether what the topic has is made already; none: it always is
+  /// @param is_made  whether the topic's content is made already; empty: it always is
   template <class Message>
   [[nodiscard]] ros::Publisher advertise(const std::string& topic,
                                          std::function<bool()> is_made = {});
@@ -71,10 +71,10 @@ class SceneTopics {
   std::vector<Camera> cameras_;
   std::vector<std::string> camera_topics_;
   std::mutex mutex_;
-  Requirements made_;  ///< of the scenes
+  Requirements made_;  ///< what is made of each scene
   bool shows_world_ = false;
   bool has_lidars_ = false;
-  std::vector<visualization_msgs::Marker> views_;  ///< of the cameras at the instant
+  std::vector<visualization_msgs::Marker> views_;  ///< of all cameras, at the instant shown
   ros::Publisher transforms_;
   ros::Publisher labels_;
   ros::Publisher view_markers_;

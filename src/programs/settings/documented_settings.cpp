@@ -48,7 +48,7 @@ std::optional<std::string> commentIn(const std::string& line) {
   return line.substr(std::min(begin + 2, line.size()));
 }
 
-/// What is not YAML, as the user has to complete it, is a text.
+/// Parses a value; one that is not YAML, because the user has to complete it, stays a text.
 Value valueOf(const std::string& text, const std::string& path) {
   if (text.empty()) return {};
   try {
@@ -86,7 +86,7 @@ class DocumentReader {
       const bool is_heading = comment->rfind("---", 0) == 0;
       if (!is_heading) comment_ += (comment_.empty() ? "" : " ") + *comment;
     } else {
-      comment_.clear();  // an empty line: what stood above it was about more than one setting
+      comment_.clear();  // an empty line: a comment above it is about more than one setting
       block_.reset();
     }
   }
@@ -109,7 +109,7 @@ class DocumentReader {
     if (line.value.empty()) above_.emplace_back(line.indentation, line.name);
   }
 
-  /// A comment is that of all settings that follow it, up to the next one.
+  /// A comment describes all settings that follow it, up to the next comment.
   [[nodiscard]] std::string descriptionOf(const std::string& path) const {
     const bool goes_on = comment_.empty() && block_ == path && !settings_.empty();
     return goes_on ? settings_.back().description : comment_;
@@ -117,12 +117,12 @@ class DocumentReader {
 
   std::vector<DocumentedSetting> settings_;
   std::string comment_;
-  std::optional<std::string> block_;  ///< the group of the setting before; none: an empty line
+  std::optional<std::string> block_;  ///< the previous setting's group; none after an empty line
   std::vector<std::pair<std::size_t, std::string>> above_;  ///< groups with their indentations
   std::optional<std::string> indented_list_;                ///< the path of the list last seen
 };
 
-/// The schema of a path's last part, made on the way.
+/// The schema of a path's last part; makes those on the way to it that are missing.
 Value::Map& nodeOf(Value::Map& root, const std::string& path) {
   Value::Map* node = &root;
   std::istringstream parts(path);
@@ -142,7 +142,7 @@ Value::Map& nodeOf(Value::Map& root, const std::string& path) {
   return *node;
 }
 
-/// Groups whose names are all known: those in which another one is misspelt.
+/// Closes the groups whose names are all known, in which any other name is a misspelling.
 void closeGroups(Value::Map& root) {
   for (const char* path :
        {"placement", "world", "camera", "camera/sample", "camera/effects", "camera/depth_noise",
@@ -185,7 +185,7 @@ std::map<std::string, Value::Map> declaredSettings() {
     (void)config::readConfig(root);
     declared.insert(root.declarations().begin(), root.declarations().end());
     for (const char* other : {"camera/sample/position", "randomize/distractors/models"}) {
-      flat.erase(other);  // with which some settings have no meaning
+      flat.erase(other);  // while it is set, some settings have no meaning
     }
   }
   return declared;

@@ -11,7 +11,7 @@ constexpr std::size_t kLineLength = 100;
 
 void print(const Value& value, std::size_t indent, std::string& text);
 
-/// After the text that a value belongs to, "name:" or "-": on the same line if it fits.
+/// Prints a value after the "name:" or "-" to which it belongs, on the same line if it fits.
 void printBehind(const Value& value, std::size_t indent, std::string& text) {
   const std::string flow = base::jsonText(value);
   const bool has_parts = (value.is<Value::Map>() && !value.as<Value::Map>()->empty()) ||
@@ -24,7 +24,7 @@ void printBehind(const Value& value, std::size_t indent, std::string& text) {
   print(value, indent + 2, text);
 }
 
-/// @param value  a map or a list with something in it
+/// @param value  a map or a list that is not empty
 void print(const Value& value, std::size_t indent, std::string& text) {
   const std::string begin(indent, ' ');
   if (const auto* map = value.as<Value::Map>()) {

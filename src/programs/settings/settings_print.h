@@ -6,8 +6,8 @@
 
 namespace synthetic_dataset::programs {
 
-/// Settings as a YAML file that reads back as they are: groups over several lines, what is small on
-/// one.
+/// Prints settings as YAML that reads back unchanged: large groups over several lines, small ones
+/// on one.
 [[nodiscard]] std::string settingsYaml(const Value& settings);
 
 }  // namespace synthetic_dataset::programs

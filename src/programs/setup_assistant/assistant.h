@@ -19,19 +19,19 @@
 
 namespace synthetic_dataset::programs {
 
-/// What the set-up page asks for, and the answers to it (docs/setup_assistant.md).
+/// Answers the requests of the set-up page (docs/setup_assistant.md).
 class Assistant {
  public:
-  /// @param file  of settings, that is there
-  /// @param folders  that the page may look into, too
-  /// @param page  its files
+  /// @param file  the settings file, which exists
+  /// @param folders  more folders that the page may look into
+  /// @param page  the page's files
   Assistant(const std::string& file, const std::vector<std::string>& folders, EmbeddedFiles page);
   ~Assistant() { close(); }
   Assistant(const Assistant&) = delete;
   Assistant& operator=(const Assistant&) = delete;
 
-  /// Answers a request that may be made. Called from many threads.
-  /// @throws HttpError, Error where the request is not possible
+  /// Answers a request that has been admitted. Called from many threads.
+  /// @throws HttpError, Error if the request cannot be fulfilled
   [[nodiscard]] HttpResponse answer(const HttpRequest& request);
 
   /// Ends all streams of events, so that the server can end.
@@ -57,7 +57,7 @@ class Assistant {
   std::unique_ptr<RunService> run_;
   ResultService result_;
   std::map<std::string, Route> routes_;  ///< by "GET /api/state"
-  std::optional<Ticker> ticker_;         ///< looks after the file; ends first
+  std::optional<Ticker> ticker_;         ///< watches the file and the run; is destroyed first
 };
 
 }  // namespace synthetic_dataset::programs

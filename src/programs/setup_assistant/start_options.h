@@ -6,26 +6,26 @@
 
 namespace synthetic_dataset::programs {
 
-/// What the arguments of `setup_assistant` ask for.
+/// The parsed arguments of `setup_assistant`.
 struct AssistantOptions {
   bool wants_help = false;
   std::string file = "settings.yaml";
-  std::vector<std::string> bag_files;  ///< of a file that is not there yet
+  std::vector<std::string> bag_files;  ///< for a settings file that does not exist yet
   std::vector<std::string> folders;
   std::string address = "127.0.0.1";
-  std::uint16_t port = 0;   ///< 0: one that is free
-  std::string page_folder;  ///< empty: the page that is part of the program
+  std::uint16_t port = 0;   ///< 0: any free port
+  std::string page_folder;  ///< empty: the page that is compiled into the program
 };
 
 /// @param arguments  without the program's name
-/// @throws Error for what is not known
+/// @throws Error for unknown or invalid arguments
 [[nodiscard]] AssistantOptions parseAssistantLine(const std::vector<std::string>& arguments);
 
-/// What `setup_assistant --help` prints.
+/// The output of `setup_assistant --help`.
 [[nodiscard]] std::string assistantUsage();
 
-/// Makes sure that the settings file is there: a new one is a draft for the bags.
-/// @throws Error when a bag cannot be read or the file not be written
+/// Makes sure that the settings file exists: a new one is a draft for the bags.
+/// @throws Error when a bag cannot be read or the file cannot be written
 void makeSettingsFile(const AssistantOptions& options);
 
 }  // namespace synthetic_dataset::programs

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The largest side of a model; 0 where it cannot be read, which the run's check will explain.
+/// The largest side of a model; 0 if it cannot be read, which the run's check will explain.
 double sizeOf(const std::string& model) {
   try {
     const auto bounds = run::visibleBounds(readForInspection(model));
@@ -26,7 +26,7 @@ double sizeOf(const std::string& model) {
   }
 }
 
-/// "husky" of husky.urdf.xacro, and of husky/model.sdf.
+/// An object's name from its model's file: "husky" for husky.urdf.xacro and for husky/model.sdf.
 std::string nameOfFile(const std::string& model) {
   const fs::path path(model);
   std::string name = path.filename().string();

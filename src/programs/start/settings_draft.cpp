@@ -15,7 +15,7 @@ using motion::RecordedFrame;
 
 constexpr double kUnknownSize = 0.8;  // [m] of an object without a model
 
-/// In YAML's double quotes.
+/// Puts a text in YAML's double quotes.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -67,7 +67,7 @@ class DraftWriter {
   }
 
  private:
-  /// A line that the user has to complete.
+  /// Writes a line that the user has to complete.
   void gap(const std::string& line, const std::string& what) {
     out_ << line << "  # TODO: " << what << '\n';
     gaps_.push_back(what);
@@ -101,7 +101,8 @@ class DraftWriter {
     out_ << "]\n";
   }
 
-  /// Enough scenes for a first dataset, while the first object moves.
+  /// Chooses the time during which the first object moves, and a rate that gives enough scenes for
+  /// a first dataset.
   void writeWindow() {
     if (followed_ == nullptr) return;
     constexpr double kScenes = 200.0;
@@ -173,14 +174,15 @@ class DraftWriter {
     out_ << '\n';
   }
 
-  /// Beside the way of the first object; where there may be walls, or the way is long, near it.
+  /// Puts the camera beside the path of the first object; somewhere near the object if there may be
+  /// walls or the path is long.
   void writeAim() {
     if (followed_ == nullptr) {
       gap("  pose: {position: [-4, -3, 2], look_at: [0, 0, 0]}",
           "where does the camera stand, and what does it look at?");
       return;
     }
-    constexpr double kFar = 15.0;  // sizes of the object, from where little is seen of it
+    constexpr double kFar = 15.0;  // in sizes of the object; beyond that, little is seen of it
     const DraftInputs::Object& object = inputs_.objects.front();
     const double size = object.size > 0.0 ? object.size : kUnknownSize;
     const double distance = std::max(4.0 * size, 0.75 * followed_->extent.norm() + 2.5 * size);
@@ -199,7 +201,7 @@ class DraftWriter {
          << fixed(p_G.z(), 2) << "], look_at: " << quoted(object.name) << "}\n";
   }
 
-  /// For formats that are made of a lidar's points: on top of the first object.
+  /// Mounts a lidar on top of the first object, for formats that are made of a lidar's points.
   void writeLidar() {
     const std::vector<std::string>& formats = inputs_.formats;
     if (std::find(formats.begin(), formats.end(), "semantic_kitti") == formats.end()) return;
@@ -264,7 +266,7 @@ class DraftWriter {
     return "; the recording has one: `inspect --urdf BAG > " + file + "`";
   }
 
-  /// Recorded pictures can be labelled themselves, which serves a network better.
+  /// If pictures were recorded, suggests labelling these, which serves a network better.
   void writeRandomization() {
     const std::vector<motion::BagTopic>& topics = inputs_.contents.topics;
     const auto pictures = std::find_if(topics.begin(), topics.end(), [](const auto& topic) {
@@ -310,7 +312,7 @@ class DraftWriter {
   const DraftInputs& inputs_;
   std::vector<std::optional<motion::RobotFrame>> robots_;  ///< of the objects
   const RecordedFrame* followed_ = nullptr;                ///< of the first object
-  double sweep_rate_ = 10.0;                               ///< turns of a lidar in a second [Hz]
+  double sweep_rate_ = 10.0;                               ///< a lidar's turns per second [Hz]
   std::ostringstream out_;
   std::vector<std::string> gaps_;
 };

@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::programs {
 
-/// What a settings file is made of.
+/// The inputs from which a settings file is drafted.
 struct DraftInputs {
   std::vector<std::string> bag_files;      ///< absolute
   motion::BagContents contents;            ///< of the bags
@@ -22,10 +22,11 @@ struct DraftInputs {
     std::optional<std::string> model;  ///< absolute, or a URI
     double size = 0.0;                 ///< of the model [m]; 0: not known
   };
-  std::vector<Object> objects;  ///< none: those that the recording seems to have
+  std::vector<Object> objects;  ///< empty: `robot_list` is a gap that is left to the user
 };
 
-/// A settings file's text, and what is left to the user, a line each; the text marks it with TODO.
+/// A settings file's text, and the gaps left to the user, one line each; TODO marks them in the
+/// text.
 struct SettingsDraft {
   std::string text;
   std::vector<std::string> gaps;
@@ -34,11 +35,12 @@ struct SettingsDraft {
 /// Writes the shortest settings that run, as far as the inputs determine them, with comments.
 [[nodiscard]] SettingsDraft draftSettings(const DraftInputs& inputs);
 
-/// What an object is called that is a robot of the recording: by the robot, unless a group of
+/// The object's name for a robot of the recording: the robot's own, with a suffix if a group of
 /// settings has that name.
 [[nodiscard]] std::string objectNameOf(const motion::RobotFrame& robot);
 
-/// The robot of the recording that an object's name means: by the name itself, else the only one.
+/// The robot of the recording to which an object's name refers: the robot of that name, else the
+/// only robot there is.
 [[nodiscard]] std::optional<motion::RobotFrame> robotNamed(const std::string& name,
                                                            const motion::BagContents& contents);
 

@@ -78,7 +78,7 @@ StartLine parseStartLine(const std::vector<std::string>& arguments) {
 std::string startUsage() {
   std::string formats;
   for (const auto& [name, type] : formats::formatNames()) {
-    constexpr std::size_t kLineEnd = 66;  // that all lines of it end before
+    constexpr std::size_t kLineEnd = 66;  // the list's lines are broken before this column
     const std::size_t begin = formats.rfind('\n') == std::string::npos ? 0 : formats.rfind('\n');
     const bool is_full = formats.size() - begin + name.size() > kLineEnd;
     formats += (formats.empty() ? "" : is_full ? ",\n                     " : ", ") + name;

@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::programs {
 
-/// What the arguments of `start` ask for.
+/// The parsed arguments of `start`.
 struct StartLine {
   bool wants_help = false;
   std::vector<std::string> bag_files;
@@ -19,13 +19,13 @@ struct StartLine {
 };
 
 /// @param arguments  without the program's name
-/// @throws Error for what is not known
+/// @throws Error for unknown or invalid arguments
 [[nodiscard]] StartLine parseStartLine(const std::vector<std::string>& arguments);
 
-/// What `start --help` prints.
+/// The output of `start --help`.
 [[nodiscard]] std::string startUsage();
 
-/// The words between commas or blanks.
+/// Splits a text at commas and blanks.
 [[nodiscard]] std::vector<std::string> wordsIn(const std::string& text);
 
 }  // namespace synthetic_dataset::programs

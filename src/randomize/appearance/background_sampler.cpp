@@ -34,7 +34,7 @@ BackgroundSampler::BackgroundSampler(const BackgroundRandomization& config) : co
   });
 }
 
-/// A photograph that is taken for a panorama is a mistake: it would be drawn out around the world.
+/// Rejects photographs used as panoramas: they would be stretched around the world.
 void BackgroundSampler::checkProportions() const {
   constexpr double kSlack = 0.05;
   for (std::size_t i = 0; i < pictures_->files().size(); ++i) {

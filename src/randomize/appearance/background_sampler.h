@@ -12,11 +12,11 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Draws what is seen where nothing is: a colour, or a picture, of a folder or made up.
+/// Draws the background: a colour, or a picture from a folder or synthesized.
 class BackgroundSampler {
  public:
-  /// @throws ErrorList naming the entry, for a folder without pictures, pictures that cannot be
-  ///     decoded, and panoramas that are not twice as wide as they are high
+  /// @throws ErrorList naming the entry if a folder has no pictures, pictures cannot be decoded, or
+  ///     panoramas are not twice as wide as high
   explicit BackgroundSampler(const BackgroundRandomization& config);
 
   /// Draws a scene's background into its look.
@@ -28,7 +28,7 @@ class BackgroundSampler {
   [[nodiscard]] world::BackgroundPicture drawPicture(EntryDraws& draws);
 
   BackgroundRandomization config_;
-  /// Neither of both where a colour alone is drawn.
+  /// Both empty if only a colour is drawn.
   std::optional<PictureFolder> pictures_;
   std::optional<NaturalPool> natural_;
 };

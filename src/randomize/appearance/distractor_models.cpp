@@ -39,7 +39,7 @@ Eigen::Vector3f drawColour(const std::vector<Eigen::Vector3d>& colours,
 
 world::Material drawMaterial(const DistractorOptions& config,
                              std::optional<TextureSource>& textures, base::RandomSource& random) {
-  constexpr double kPlain = 0.3;  // the share of those in given colours
+  constexpr double kPlain = 0.3;  // share of those with one of the given colours
   world::Material material;
   material.diffuse.setOnes();
   if (!config.colours.empty() && random.unit() < kPlain) {

@@ -21,7 +21,7 @@ const char* const kObjects = "objects";
 const char* const kWorld = "world";
 const char* const kDistractors = "distractors";
 
-/// Where a visual is found: its model's name, its link's below that, its own below that.
+/// The names that refer to a visual: its model's, its link's within that, and its own within that.
 std::array<std::string, 3> namesOf(const world::LinkInstance& link, const world::Visual& visual) {
   const std::string link_name = link.model + "::" + link.link->name;
   return {link.model, link_name, link_name + "::" + visual.name};
@@ -38,12 +38,12 @@ bool isMeant(const std::string& target, const world::LinkInstance& link,
   return std::find(names.begin(), names.end(), target) != names.end();
 }
 
-/// A kind of thing, of which there may be none: an empty world is one, too.
+/// Whether a target is a kind of thing. There may be none of it: an empty world is valid, too.
 bool isKind(const std::string& target) {
   return target == kObjects || target == kWorld || target == kDistractors;
 }
 
-/// How much of the world a target is: what is more special counts over the rest.
+/// How specific a target is; more specific targets override the others.
 std::ptrdiff_t rankOf(const std::string& target) {
   if (isKind(target)) return 0;
   return 1 + std::count(target.begin(), target.end(), ':');
@@ -55,15 +55,16 @@ std::vector<std::string> modelNames(const world::World& world) {
   return {names.begin(), names.end()};
 }
 
-/// A picture with holes, or of glass, is a part of the thing's shape; without texture coordinates
-/// none can be seen.
+/// A texture with holes or of glass is part of the thing's shape and must stay; without texture
+/// coordinates none can be seen.
 bool takesTexture(const world::Surface& surface) {
   const std::shared_ptr<const world::Texture>& texture = surface.material.texture;
   return !surface.mesh->texture_coordinates.empty() &&
          (!texture || base::isOpaque(texture->pixels));
 }
 
-/// A point light has a position, sunlight a direction. For `every`, each has its own.
+/// Checks that the entry suits the light: a point light has a position, sunlight a direction. Not
+/// called for `every`, where each light uses what applies to it.
 void checkMeaning(const world::Light& light, const LightRandomization& config,
                   base::Diagnostics& errors) {
   const std::string parameter = "randomize/lights/" + light.name;
@@ -85,7 +86,7 @@ void turnOff(world::Light& light) {
   light.specular.setZero();
 }
 
-/// The direction in which light shines that comes from an elevation and an azimuth [rad].
+/// The direction in which light from an elevation and an azimuth [rad] shines.
 Eigen::Vector3d shiningFrom(double elevation, double azimuth) {
   return -Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
                           std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
@@ -128,7 +129,7 @@ void LookSampler::findLights(const Randomization& config, base::Diagnostics& err
   }
 }
 
-/// A number half above the lights' own is rounded to it, at its range's end alone.
+/// Accepts up to half above the number of lights: only the range's very end rounds up to more.
 void LookSampler::checkLightCount(base::Diagnostics& errors) const {
   const std::size_t count = world_.description().lights.size();
   if (!config_.light_count) return;
@@ -190,7 +191,7 @@ world::Look LookSampler::sample(EntryDraws& draws) {
   return look;
 }
 
-/// What `every` says of all lights must not leave a world without any.
+/// Keeps one light on if `every` would turn off all of them.
 void LookSampler::relightAll(EntryDraws& draws, world::Look& look) {
   std::vector<const LightEntry*> off;
   for (const LightEntry& entry : lights_) {
@@ -208,7 +209,7 @@ void LookSampler::relightAll(EntryDraws& draws, world::Look& look) {
   }
 }
 
-/// As far as a light goes before it meets a surface: the ceiling that it hangs from, for one.
+/// Shortens a light's shift where it would meet a surface, for example the ceiling it hangs from.
 Eigen::Vector3d LookSampler::freeShift(const Eigen::Vector3d& p_G, const Eigen::Vector3d& shift_G) {
   constexpr double kClear = 0.05;  // from the surface [m]
   const double distance = shift_G.norm();
@@ -245,7 +246,7 @@ bool LookSampler::relight(const LightEntry& entry, EntryDraws& draws, world::Lig
   return is_on;
 }
 
-/// Turns the lights off that are too many, whichever they are.
+/// Turns off random lights until the drawn number is left.
 void LookSampler::chooseLights(EntryDraws& draws, world::Look& look) const {
   if (!config_.light_count) return;
   const std::string entry = "light_count";

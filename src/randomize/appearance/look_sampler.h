@@ -20,32 +20,32 @@ namespace synthetic_dataset::randomize {
 /// Lights and paints a world anew for each scene.
 class LookSampler {
  public:
-  /// @param world  has to outlive this
-  /// @throws ErrorList naming the entries whose lights, model, link or visual the world does not
-  ///     have, folders without pictures, and pictures that cannot be decoded
+  /// @param world  must outlive this
+  /// @throws ErrorList naming the entries whose light, model, link or visual does not exist in the
+  ///     world, folders without pictures, and pictures that cannot be decoded
   LookSampler(const Randomization& config, const world::World& world);
 
-  /// The look of a scene; what is drawn for it is added to the draws.
-  /// @throws Error naming the entry, for a picture that cannot be decoded after all
+  /// The look of a scene; everything drawn for it is recorded in `draws`.
+  /// @throws Error naming the entry if a picture turns out not to be decodable
   [[nodiscard]] world::Look sample(EntryDraws& draws);
 
  private:
-  /// A light, and what is drawn of it.
+  /// A light, and how it is randomized.
   struct LightEntry {
-    std::size_t light;  ///< index in the world's
+    std::size_t light;  ///< index in the world's lights
     std::string name;   ///< "lights/sun"
     LightRandomization config;
-    bool is_of_every = false;  ///< it has no group of its own
+    bool is_of_every = false;  ///< configured by the group `every`
   };
 
-  /// Surfaces that get the same material, and what is drawn of it.
+  /// Surfaces that receive the same material, and how it is randomized.
   struct MaterialEntry {
     std::string name;  ///< "materials/rover_1/rover_1::base_link::hull"
     MaterialRandomization config;
     std::vector<const world::Surface*> surfaces;
-    std::vector<bool> takes_texture;                  ///< of surfaces
-    std::vector<Eigen::Vector2d> metres_per_texture;  ///< of surfaces, by metresPerTexture()
-    TextureSource* textures = nullptr;                ///< one of textures_, where they are drawn
+    std::vector<bool> takes_texture;                  ///< one per surface
+    std::vector<Eigen::Vector2d> metres_per_texture;  ///< one per surface, from metresPerTexture()
+    TextureSource* textures = nullptr;                ///< one of textures_, if textures are drawn
     std::string textures_entry;                       ///< "randomize/materials/rover_1/textures"
   };
 
@@ -65,10 +65,10 @@ class LookSampler {
   const world::World& world_;
   Randomization config_;
   std::vector<LightEntry> lights_;
-  std::optional<Surroundings> surroundings_;  ///< once a light that has a position is moved
+  std::optional<Surroundings> surroundings_;  ///< once a light with a position is moved
   std::optional<BackgroundSampler> background_;
-  std::vector<MaterialEntry> materials_;           ///< the more special ones later
-  std::map<std::string, TextureSource> textures_;  ///< by where they are from
+  std::vector<MaterialEntry> materials_;           ///< the more specific ones later
+  std::map<std::string, TextureSource> textures_;  ///< by their source
 };
 
 }  // namespace synthetic_dataset::randomize

@@ -38,7 +38,7 @@ struct SceneKind {
   void (*draw)(natural::Canvas&, base::RandomSource&);
 };
 
-// Of ten, streets are two.
+// Streets and rooms are listed twice, so they are drawn twice as often.
 constexpr std::array<SceneKind, 10> kSceneKinds = {{{"street", natural::drawStreet},
                                                     {"street", natural::drawStreet},
                                                     {"country", natural::drawCountry},

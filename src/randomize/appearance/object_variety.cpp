@@ -22,7 +22,7 @@ void roughen(float amount, world::Material& material) {
   material.roughness = std::clamp(material.roughness + amount, 0.05F, 1.0F);
 }
 
-/// One colour in the place of another, in all lights.
+/// Replaces a material's colour, adjusting its ambient colour to match.
 void recolour(const Eigen::Vector3f& colour, world::Material& material) {
   for (int i = 0; i < 3; ++i) {
     constexpr float kDark = 0.02F;

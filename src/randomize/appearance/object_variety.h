@@ -12,22 +12,22 @@ namespace synthetic_dataset::randomize {
 
 class PaintedModel;
 
-/// A model that looks like another one of its kind.
+/// A model that looks like another specimen of its kind.
 struct VariedModel {
   world::Model model;
-  std::optional<ShapeChange> shape;  ///< how it differs in shape; nothing: not at all
+  std::optional<ShapeChange> shape;  ///< how its shape differs; nothing if it does not
 };
 
-/// Makes variants of a model: worn ones of the same object, or others of the same class. They
-/// follow from the model, the seed and each one's number.
+/// Makes variants of a model: worn specimens of the same object, or other objects of the same
+/// class. They depend on the model, the seed and each variant's number.
 class ObjectVariety {
  public:
-  /// @param variety  not none
+  /// @param variety  not kNone
   ObjectVariety(const world::Model& model, Variety variety, std::uint64_t seed);
   ~ObjectVariety();
   ObjectVariety(ObjectVariety&&) noexcept;
 
-  /// @param number  0: the model as it is
+  /// @param number  0 for the unchanged model
   [[nodiscard]] VariedModel variant(int number) const;
 
  private:

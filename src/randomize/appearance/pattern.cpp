@@ -14,7 +14,7 @@ namespace {
 constexpr int kSide = 256;  // [px]
 constexpr double kTwoPi = 6.283185307179586;
 
-/// How much of the second colour there is, 0 .. 1, at a place of the unit square that repeats.
+/// The share of the second colour, 0 .. 1, at a place in the unit square, which repeats.
 using Mixture = std::function<double(double u, double v)>;
 
 cv::Vec4b drawColour(base::RandomSource& random) {
@@ -24,7 +24,7 @@ cv::Vec4b drawColour(base::RandomSource& random) {
   return {blue, green, channel(), 255};
 }
 
-/// 1 within, 0 without, over a pixel's width between: distance to the border [of the square].
+/// 1 inside, 0 outside, with a transition one pixel wide; distance to the border [of the square].
 double edge(double distance) { return std::clamp(0.5 - distance * kSide, 0.0, 1.0); }
 
 Mixture checkers(base::RandomSource& random) {
@@ -63,8 +63,8 @@ Mixture gradient(base::RandomSource& random) {
   };
 }
 
-/// A wave that repeats, by its sines and cosines along each axis: of the sum of two angles, the
-/// sine follows from those of each.
+/// A wave that repeats, stored as sines and cosines along each axis: the sine of the sum of two
+/// angles follows from those of each.
 struct Wave {
   Wave(double across, double along, double phase, double height) {
     for (int i = 0; i < kSide; ++i) {
@@ -84,7 +84,7 @@ struct Wave {
   std::array<std::array<double, 2>, kSide> rows;
 };
 
-/// Waves of many directions, the finer the fainter: they repeat, and look like clouds.
+/// Waves in many directions, fainter the finer they are: they repeat, and look like clouds.
 Mixture clouds(base::RandomSource& random) {
   std::vector<Wave> waves;
   for (int i = 0; i < 24; ++i) {

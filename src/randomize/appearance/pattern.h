@@ -10,7 +10,7 @@
 namespace synthetic_dataset::randomize {
 
 /// A pattern in random colours that tiles: checkers, stripes, dots, a gradient or clouds.
-/// @return what it is ("stripes"), and its picture
+/// @return the kind of pattern ("stripes") and its picture
 [[nodiscard]] std::pair<std::string, std::shared_ptr<const world::Texture>> drawPattern(
     base::RandomSource& random);
 

@@ -29,7 +29,7 @@ bool isPicture(const fs::path& file, PictureKind kind) {
   return kEncoded.count(ending) > 0 || (kind == PictureKind::kAny && kLight.count(ending) > 0);
 }
 
-/// Does something with a picture's file; what it throws names the file.
+/// Runs work on a picture's file; errors name the file.
 template <class Work>
 auto withFile(const std::string& file, const Work& work) {
   const Bytes bytes = base::readInputBytes(file);
@@ -40,7 +40,7 @@ auto withFile(const std::string& file, const Work& work) {
   }
 }
 
-/// A folder of ten thousand broken pictures is reported in a few lines.
+/// Keeps only the first few problems: a folder may have ten thousand broken pictures.
 std::vector<std::string> shortened(std::vector<std::string> problems) {
   constexpr std::size_t kTold = 4;
   if (problems.size() <= kTold) return problems;

@@ -11,21 +11,21 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Which of a folder's files are pictures.
+/// Which of a folder's files count as pictures.
 enum class PictureKind {
-  kEncoded,  ///< those that end in png, jpg, jpeg, bmp, tif, tiff or webp
-  kAny,      ///< also those of linear light, which may be brighter than white: hdr or exr
+  kEncoded,  ///< those with the extension png, jpg, jpeg, bmp, tif, tiff or webp
+  kAny,      ///< also those in linear light, which may be brighter than white: hdr or exr
 };
 
-/// The pictures in a folder and in those below it, in alphabetical order.
-/// @throws Error for a folder that is not there or has no picture
+/// The pictures in a folder and its subfolders, in alphabetical order.
+/// @throws Error if the folder does not exist or has no pictures
 [[nodiscard]] std::vector<std::string> picturesIn(const std::string& folder, PictureKind kind);
 
-/// A folder's pictures, whose files are looked at once, before any is needed: their headers, and
-/// whether they break off. A damage that only decoding brings to light is found when it is decoded.
+/// A folder's pictures. Their files are checked once, before any is needed: the headers, and
+/// whether the files are truncated. Other damage only shows when a picture is decoded.
 class PictureFolder {
  public:
-  /// @throws Error for a folder that is not there or has no picture
+  /// @throws Error if the folder does not exist or has no pictures
   /// @throws ErrorList naming pictures that cannot be decoded
   PictureFolder(const std::string& folder, PictureKind kind);
 
@@ -34,9 +34,9 @@ class PictureFolder {
   /// The size of each of files() [px].
   [[nodiscard]] const std::vector<base::PictureSize>& sizes() const { return sizes_; }
 
-  /// A picture, opaque.
+  /// A picture, made opaque.
   /// @param index  in files()
-  /// @throws Error for one that cannot be decoded
+  /// @throws Error if it cannot be decoded
   [[nodiscard]] std::shared_ptr<const world::Texture> read(std::size_t index);
 
  private:

@@ -2,7 +2,7 @@
 
 namespace synthetic_dataset::randomize {
 
-/// In settings, in place of a folder of pictures: such as are made up.
+/// Values in settings that select synthesized pictures in place of a folder.
 inline const char* const kProcedural = "procedural";  ///< patterns, by drawPattern()
 inline const char* const kNatural = "natural";        ///< pictures of a NaturalPool
 

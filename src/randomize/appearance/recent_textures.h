@@ -9,12 +9,12 @@
 
 namespace synthetic_dataset::randomize {
 
-/// The pictures that were used last, so that few of them are not made again and again: at most 32,
-/// and 256 MB.
+/// Caches the pictures used last, so that a small set is not made again and again: at most 32, and
+/// 256 MB.
 class RecentTextures {
  public:
-  /// @param key  what the owner knows it by
-  /// @param make  makes it, where it is not kept
+  /// @param key  identifies the picture to the owner
+  /// @param make  makes the picture if it is not cached
   [[nodiscard]] std::shared_ptr<const world::Texture> get(
       std::size_t key, const std::function<world::Texture()>& make);
 
@@ -26,7 +26,7 @@ class RecentTextures {
 
   void forgetOldest();
 
-  std::vector<Kept> kept_;  ///< the last one first
+  std::vector<Kept> kept_;  ///< the most recent first
 };
 
 }  // namespace synthetic_dataset::randomize

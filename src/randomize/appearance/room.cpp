@@ -19,8 +19,8 @@ world::Material chalky(const RoomOptions& options, const Eigen::Vector2d& shown)
   return material;
 }
 
-/// A slab with one of its boxes' faces in view.
-/// @param shown  the size of what is seen of it, across and up [m]
+/// Adds a slab of which one face is visible.
+/// @param shown  size of that face, across and up [m]
 void addSlab(const std::string& name, const Eigen::Vector3d& centre, const Eigen::Vector3d& size,
              const Eigen::Vector2d& shown, const RoomOptions& options, world::Link& link) {
   const Pose X_LS = makePose(centre, Eigen::Quaterniond::Identity());
@@ -40,7 +40,7 @@ void addSlab(const std::string& name, const Eigen::Vector3d& centre, const Eigen
 }  // namespace
 
 world::Model makeRoom(const RoomOptions& options) {
-  constexpr double kThickness = 0.1;  // of the room's smaller length: nothing falls through
+  constexpr double kThickness = 0.1;  // of the room's shorter side, so that nothing falls through
   const double x = options.size.x();
   const double y = options.size.y();
   const double z = options.size.z();

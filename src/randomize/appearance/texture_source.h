@@ -12,21 +12,21 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Textures to choose from: a folder's pictures, or such as are made up.
+/// Textures to choose from: a folder's pictures or synthesized ones.
 class TextureSource {
  public:
   /// @param from  `procedural` for patterns, `natural` for materials, or a folder
   /// @throws Error as PictureFolder does
   explicit TextureSource(const std::string& from);
 
-  /// One of them, and its name: the picture's file, or what pattern it is.
-  /// @throws Error for a picture that cannot be decoded
+  /// One of the textures and its name: the picture's file, or the kind of pattern.
+  /// @throws Error if a picture cannot be decoded
   [[nodiscard]] std::pair<std::string, std::shared_ptr<const world::Texture>> draw(
       base::RandomSource& random);
 
  private:
   std::optional<PictureFolder> pictures_;
-  std::optional<NaturalPool> natural_;  ///< neither of both: patterns are made
+  std::optional<NaturalPool> natural_;  ///< if both are empty, patterns are made
 };
 
 }  // namespace synthetic_dataset::randomize

@@ -8,7 +8,7 @@
 namespace synthetic_dataset::randomize {
 
 Eigen::Vector2d metresPerTexture(const world::Mesh& mesh) {
-  constexpr double kNoArea = 1e-12;  // of a triangle in its texture
+  constexpr double kNoArea = 1e-12;  // of a triangle in the texture
   Eigen::Vector2d sum(0, 0);
   double area_sum = 0.0;
   if (mesh.texture_coordinates.empty()) return sum;
@@ -18,7 +18,7 @@ Eigen::Vector2d metresPerTexture(const world::Mesh& mesh) {
     const auto c = mesh.indices[i + 2];
     const Eigen::Vector3d ab = (mesh.positions[b] - mesh.positions[a]).cast<double>();
     const Eigen::Vector3d ac = (mesh.positions[c] - mesh.positions[a]).cast<double>();
-    Eigen::Matrix2d edges;  // in the texture, a column each
+    Eigen::Matrix2d edges;  // in the texture, one per column
     edges.col(0) = (mesh.texture_coordinates[b] - mesh.texture_coordinates[a]).cast<double>();
     edges.col(1) = (mesh.texture_coordinates[c] - mesh.texture_coordinates[a]).cast<double>();
     const double determinant = edges.determinant();

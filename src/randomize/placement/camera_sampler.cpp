@@ -13,16 +13,16 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// A surface this near to what is looked at does not hide it: it may be looked at itself.
+/// A surface this close to the target does not hide it: it may be the target's own.
 constexpr double kNearTarget = 0.01;  // [m]
 
-/// A line of sight nearer to the vertical than this [rad] has no horizontal to go by.
+/// A line of sight closer to the vertical than this [rad] has no usable horizontal direction.
 constexpr double kVertical = 1e-9;
 
-/// From nearer there is no telling where ahead is [m].
+/// Below this distance the viewing direction is undefined [m].
 constexpr double kNoDirection = 1e-9;
 
-/// The targets that are present; all if none is.
+/// The targets that are present; all of them if none is.
 std::vector<CameraTarget> presentOf(const std::vector<CameraTarget>& targets) {
   const bool some = std::any_of(targets.begin(), targets.end(),
                                 [](const CameraTarget& target) { return target.is_present; });
@@ -33,7 +33,7 @@ std::vector<CameraTarget> presentOf(const std::vector<CameraTarget>& targets) {
   return present;
 }
 
-/// All of them together: the middle of their centres, and their mean size.
+/// All targets together: the middle of their centres, and their mean size.
 CameraTarget middleOf(const std::vector<CameraTarget>& targets) {
   CameraTarget sum;
   for (const CameraTarget& target : targets) {
@@ -83,7 +83,7 @@ Eigen::Vector3d CameraSampler::position(base::RandomSource& source,
     const std::vector<double> place = config_.position_G->draw(source);
     return {place[0], place[1], place[2]};
   }
-  const double unit = config_.is_in_sizes ? target.size : 1.0;
+  const double unit = config_.is_relative_to_size ? target.size : 1.0;
   const double distance = unit * config_.distance.drawNumber(source);
   const double elevation = config_.elevation.drawNumber(source);
   const double azimuth = config_.azimuth.drawNumber(source);
@@ -97,7 +97,7 @@ CameraSampler::Look CameraSampler::draw(base::RandomSource& source,
   const CameraTarget at = target(source, targets);
   const std::vector<double> offset = config_.aim_offset.draw(source);
   const Eigen::Vector3d position_G = position(source, at);
-  const double unit = config_.is_in_sizes ? (at.centre_G - position_G).norm() : 1.0;
+  const double unit = config_.is_relative_to_size ? (at.centre_G - position_G).norm() : 1.0;
   const Eigen::Vector3d aim_G =
       at.centre_G + unit * Eigen::Vector3d(offset[0], offset[1], offset[2]);
   return {at.centre_G, aim_G, position_G,

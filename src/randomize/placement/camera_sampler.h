@@ -17,39 +17,40 @@ namespace synthetic_dataset::randomize {
 struct CameraTarget {
   std::string name;
   Eigen::Vector3d centre_G{0, 0, 0};
-  bool is_present = true;  ///< what is not is looked at only by its name, or where nothing is
+  bool is_present = true;  ///< absent ones are only looked at by name, or if none is present
   double size = 0.0;       ///< the diagonal of its cuboid [m]
 };
 
-/// Where a camera was put.
+/// The pose chosen for a camera.
 struct SampledPose {
   Pose X_GC;  ///< of the optical frame
 
-  /// Why none of the positions that were tried sees what the camera looks at, as of an object that
-  /// is inside of a wall; empty: this one does.
+  /// Why none of the positions tried sees the target, for example because it is inside a wall;
+  /// empty if this position does.
   std::string hidden;
 };
 
-/// Puts a camera somewhere at random, scene by scene, looking at objects; never inside anything,
-/// and where no wall hides what it looks at, if there is such a position.
+/// Places a camera at random in each scene, looking at objects: never inside anything, and where no
+/// wall hides the target if there is such a position.
 class CameraSampler {
  public:
   /// @param group  the camera's parameters, for messages: "camera"
-  /// @param world  has to outlive this, and so have its surroundings
+  /// @param world  must outlive this, and so must its surroundings
   CameraSampler(CameraSampling config, std::string group, const world::World& world,
                 Surroundings& surroundings, std::uint64_t seed);
 
-  /// As the world stands now: a function of the seed, the scene and the camera's name alone.
-  /// @param targets  the objects, where they stand
-  /// @throws Error where no free position was found, and why
+  /// Samples a pose for the current state of the world; apart from that, depends only on the seed,
+  /// the scene and the camera's name.
+  /// @param targets  the objects, where they are now
+  /// @throws Error if no free position was found, saying why
   [[nodiscard]] SampledPose sample(std::int64_t scene,
                                    const std::vector<CameraTarget>& targets) const;
 
  private:
-  /// What the camera is to look at, and where from.
+  /// A target for the camera, and a position to view it from.
   struct Look {
     Eigen::Vector3d target_G;
-    Eigen::Vector3d aim_G;  ///< the target, but for the offset
+    Eigen::Vector3d aim_G;  ///< the target plus the offset
     Eigen::Vector3d position_G;
     Pose X_GC;
   };
@@ -70,9 +71,9 @@ class CameraSampler {
   std::uint64_t seed_;
 };
 
-/// X_GC of an optical frame at a place that looks at another, the image's up along the vertical but
-/// for a roll about the line of sight [rad], clockwise as the picture's viewer sees the camera
-/// turn.
+/// X_GC of an optical frame at one place looking at another. The image's up is along the vertical,
+/// except for a roll about the line of sight [rad], clockwise as a viewer of the picture sees the
+/// camera turn.
 [[nodiscard]] Pose lookingAt(const Eigen::Vector3d& position_G, const Eigen::Vector3d& aim_G,
                              double roll);
 

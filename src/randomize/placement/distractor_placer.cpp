@@ -12,7 +12,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// Nearer, one would hide nearly all that a camera sees.
+/// Any closer, a distractor would hide nearly everything that a camera sees.
 constexpr double kFromCameras = 0.3;  // [m]
 
 std::size_t countOf(const std::vector<std::optional<Pose>>& poses) {
@@ -20,7 +20,7 @@ std::size_t countOf(const std::vector<std::optional<Pose>>& poses) {
       std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); }));
 }
 
-/// Around objects, by the size of the largest.
+/// A volume around the objects, with margins proportional to the largest one.
 Volume around(const std::vector<Cuboid>& objects_G) {
   constexpr double kBeside = 1.5;
   constexpr double kAbove = 1.0;
@@ -48,7 +48,7 @@ DistractorPlacer::DistractorPlacer(const DistractorOptions& config, std::vector<
       surroundings_(surroundings),
       seed_(seed) {}
 
-/// Which ones are in a scene, in ascending order.
+/// Which distractors are in a scene, in ascending order.
 std::vector<std::size_t> DistractorPlacer::choose(std::int64_t scene) const {
   base::RandomSource source(seed_, scene, "randomize/distractors/count");
   const auto wished = std::llround(config_.count.drawNumber(source));
@@ -76,8 +76,8 @@ std::vector<int> DistractorPlacer::place(std::int64_t scene,
   return numbers;
 }
 
-/// All together. What has not come to rest, or would hide a camera's view, is left out; then what
-/// lay on it falls, too.
+/// Drops all distractors together. Any that have not come to rest, or would hide a camera's view,
+/// are removed; then whatever lay on them falls as well.
 void DistractorPlacer::drop(std::vector<std::optional<Pose>>& X_GM,
                             const std::vector<Eigen::Vector3d>& cameras_G) const {
   const auto time =

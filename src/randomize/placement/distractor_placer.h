@@ -14,19 +14,19 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Puts some of a world's distractors somewhere, scene by scene, clear of everything else.
+/// Places some of a world's distractors in each scene, clear of everything else.
 class DistractorPlacer {
  public:
-  /// @param world  has to outlive this, and so have its surroundings
+  /// @param world  must outlive this, and so must its surroundings
   /// @param boxes_M  around each distractor, in its own frame
   DistractorPlacer(const DistractorOptions& config, std::vector<Cuboid> boxes_M,
                    world::World& world, Surroundings& surroundings, std::uint64_t seed);
 
-  /// Puts a scene's distractors into the world, whose objects are where they will be.
-  /// @param cameras_G  which they do not come near to
-  /// @param objects_G  the boxes around the objects; without a volume of their own, distractors are
-  ///                   around these
-  /// @return the numbers of those that are there, from 1
+  /// Puts a scene's distractors into the world, after the objects have been placed.
+  /// @param cameras_G  to keep away from
+  /// @param objects_G  the boxes around the objects; used as the region for distractors if the
+  ///     options give no volume
+  /// @return the numbers of the distractors in the scene, from 1
   std::vector<int> place(std::int64_t scene, const std::vector<Eigen::Vector3d>& cameras_G = {},
                          const std::vector<Cuboid>& objects_G = {});
 
@@ -46,7 +46,7 @@ class DistractorPlacer {
   world::World& world_;
   Surroundings& surroundings_;
   std::uint64_t seed_;
-  Volume volume_;  ///< of the scene
+  Volume volume_;  ///< for the current scene
 };
 
 }  // namespace synthetic_dataset::randomize

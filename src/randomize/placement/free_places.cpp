@@ -16,7 +16,7 @@ cv::Mat1f distancesToZeros(const cv::Mat1b& points) {
   return distances;
 }
 
-/// 0 where a cell is not free, with a rim of such cells about the map.
+/// 0 for cells that are not free, with a rim of such cells around the map.
 cv::Mat1b freeCells(const OccupancyMap& map) {
   cv::Mat1b free(static_cast<int>(map.height()) + 2, static_cast<int>(map.width()) + 2, uchar{0});
   for (std::size_t row = 0; row < map.height(); ++row) {
@@ -28,8 +28,8 @@ cv::Mat1b freeCells(const OccupancyMap& map) {
   return free;
 }
 
-/// 0 at the corners, the middles of the sides and the centres of the cells that are not free, and
-/// on the map's rim: points half a cell apart.
+/// 0 at the corners, side midpoints and centres of the cells that are not free, and on the map's
+/// rim: points half a cell apart.
 cv::Mat1b freePoints(const OccupancyMap& map) {
   const cv::Size size(static_cast<int>(2 * map.width()) + 1,
                       static_cast<int>(2 * map.height()) + 1);
@@ -46,11 +46,11 @@ cv::Mat1b freePoints(const OccupancyMap& map) {
   return free;
 }
 
-/// The cells of which some place may be clear. No place of a cell is farther from another cell than
-/// their centres are from each other: n columns and m rows away, its far corner (or its far side,
-/// where n or m is 0) is sqrt(n^2 + m^2) from the other's near one.
+/// The cells that may contain a clear place. No place in a cell is farther from another cell than
+/// the two centres are apart: n columns and m rows away, its far corner (or far side, if n or m is
+/// 0) is sqrt(n^2 + m^2) from the near one of the other cell.
 std::vector<std::size_t> cellsThatMayBeClear(const OccupancyMap& map, double radius) {
-  constexpr double kRounding = 1.0 + 1e-6;  // of the distances' floats
+  constexpr double kRounding = 1.0 + 1e-6;  // of the float distances
   const cv::Mat1f distances = distancesToZeros(freeCells(map));
   std::vector<std::size_t> cells;
   for (std::size_t row = 0; row < map.height(); ++row) {
@@ -114,7 +114,8 @@ bool FreePlaces::isRowFree(std::size_t row, double from, double to) const {
 }
 
 double largestClearance(const OccupancyMap& map) {
-  // From points half a cell apart, the nearest place of a square between them is such a point too.
+  // With points half a cell apart, the place in a square nearest to any of them is one of them,
+  // too.
   double half_cells = 0.0;
   cv::minMaxLoc(distancesToZeros(freePoints(map)), nullptr, &half_cells);
   return half_cells / 2.0 * map.resolution();

@@ -11,32 +11,33 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Where on a map the centre of a disc can lie so that the disc comes near to no cell that is not
-/// free, and stays in the map.
+/// Where on a map the centre of a disc can be so that the disc stays inside the map and overlaps no
+/// cell that is not free.
 ///
-/// Hart, Goodman and O'Shea look at the cells of a circle that Bresenham's algorithm draws about
-/// the centre's cell, and of the lines between its points: whole rows of cells. These are rows of
-/// cells too, but those of the disc itself about a place within the cell: exact, and so every
-/// place that is clear can be drawn and no other.
+/// Hart, Goodman and O'Shea check the cells of a circle that Bresenham's algorithm draws about the
+/// centre's cell, and of the lines between its points: whole rows of cells. This class also checks
+/// rows of cells, but those of the disc itself about a place within the cell. That is exact, so
+/// every clear place can be drawn and no other.
 class FreePlaces {
  public:
   /// @param safety_radius  of the disc [m], at least 0; a disc of 0 m is a point on a free cell
   FreePlaces(OccupancyMap map, double safety_radius);
 
-  /// The number of cells that may have clear places: all that do, and few others. 0: no place.
+  /// The number of cells that may have clear places: all those that do, and a few others. 0 means
+  /// that there is no place.
   [[nodiscard]] std::size_t cellCount() const { return cells_.size(); }
 
-  /// Whether a place is on a free cell, and the disc about it is clear: no cell that is not free,
-  /// and nothing outside of the map, is nearer than the radius.
+  /// Whether a place is on a free cell and the disc about it is clear: no cell that is not free,
+  /// and nothing outside the map, is closer than the radius.
   [[nodiscard]] bool isClear(const Eigen::Vector2d& p_G) const;
 
-  /// A random place, each that is clear as likely as the others.
-  /// @param tries  how many places are chosen at most until one is clear
-  /// @return nothing when none of them was
+  /// Draws a random place; all clear places are equally likely.
+  /// @param tries  the maximum number of places to try
+  /// @return nothing if none of them was clear
   [[nodiscard]] std::optional<Eigen::Vector2d> draw(base::RandomSource& random, int tries) const;
 
  private:
-  /// Lengths are in cells here.
+  /// The lengths are in cells.
   [[nodiscard]] bool isDiscClear(const Eigen::Vector2d& centre) const;
   [[nodiscard]] bool isRowFree(std::size_t row, double from, double to) const;
 
@@ -45,8 +46,8 @@ class FreePlaces {
   std::vector<std::size_t> cells_;  ///< row * width + column of those that may have clear places
 };
 
-/// The radius [m] of the largest disc that fits on a map, up to a cell's side too small and never
-/// too large: any that is smaller has places. 0 without a free cell.
+/// The radius [m] of the largest disc that fits on a map, too small by at most a cell's side and
+/// never too large: any smaller disc has places. 0 if there is no free cell.
 [[nodiscard]] double largestClearance(const OccupancyMap& map);
 
 }  // namespace synthetic_dataset::randomize

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// A number that is held against a rule when it is one.
+/// Reads a number; if it is one, checks it against a rule.
 template <class Rule>
 double numberThat(Rule isRight, Parameters& root, const std::string& name,
                   const std::string& should) {
@@ -50,7 +50,7 @@ void readOrigin(Parameters& root, MapFile& map) {
   map.yaw = origin[2];
 }
 
-/// map_saver writes 0; people write false.
+/// map_saver writes 0; people also write false.
 bool readNegate(Parameters& root) {
   const std::size_t errors_before = root.errors().size();
   const auto negate = root.required<Value>("negate");

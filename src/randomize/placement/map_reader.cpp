@@ -18,7 +18,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// @param number  a percentage, as nav_msgs/OccupancyGrid has it
+/// @param number  a percentage, as in nav_msgs/OccupancyGrid
 Cell cellOf(std::int8_t number, const Thresholds& thresholds) {
   if (number < 0 || number > 100) return Cell::kUnknown;
   const double probability = number / 100.0;
@@ -38,7 +38,7 @@ Cell cellOf(double shade, const MapFile& file) {
   return probability < file.free_threshold ? Cell::kFree : Cell::kUnknown;
 }
 
-/// The mean of a pixel's channels, each as a byte: of 16 bits the upper ones count.
+/// The mean of a pixel's channels as bytes: of 16-bit channels only the upper byte counts.
 template <class Number>
 double shadeOf(const Number* channels, int count) {
   constexpr unsigned kBelowByte = 8 * (sizeof(Number) - 1);
@@ -54,7 +54,8 @@ double shadeAt(const cv::Mat& picture, int row, int column, int channel_count) {
 }
 
 std::vector<Cell> cellsOf(const cv::Mat& picture, const MapFile& file) {
-  // "Alpha will be averaged in with color channels when using trinary mode", says map_server.
+  // According to map_server, "Alpha will be averaged in with color channels when using trinary
+  // mode".
   const bool has_alpha = picture.channels() == 4;
   const bool averages_alpha = file.mode == MapMode::kTrinary;
   const int channel_count = picture.channels() - (has_alpha && !averages_alpha ? 1 : 0);
@@ -68,8 +69,8 @@ std::vector<Cell> cellsOf(const cv::Mat& picture, const MapFile& file) {
   return cells;
 }
 
-/// The shade that map_saver and slam_toolbox give cells of which they know nothing; as a
-/// probability it is 0.196, which other programs' thresholds take for free.
+/// A warning if unknown cells count as free. map_saver and slam_toolbox give unknown cells this
+/// shade; as a probability it is 0.196, which the thresholds of other programs take as free.
 std::string unknownTakenForFree(const cv::Mat& picture, const MapFile& file) {
   constexpr int kUnknownShade = 205;
   if (file.mode != MapMode::kTrinary || cellOf(kUnknownShade, file) != Cell::kFree) return "";

@@ -11,8 +11,8 @@ namespace synthetic_dataset::randomize {
 ObjectRow::ObjectRow(const Volume& volume, double widest, std::size_t count,
                      base::RandomSource& source)
     : volume_(volume) {
-  constexpr double kClosest = 1.1;   // from middle to middle, of the greatest width
-  constexpr double kFarthest = 3.0;  // likewise
+  constexpr double kClosest = 1.1;   // between centres, as a multiple of the greatest width
+  constexpr double kFarthest = 3.0;  // between centres, as a multiple of the greatest width
   const Eigen::Vector3d middle_G = drawWithin(volume, source);
   const double direction = source.angle();
   const double apart = widest * std::exp(source.uniform(std::log(kClosest), std::log(kFarthest)));
@@ -22,7 +22,7 @@ ObjectRow::ObjectRow(const Volume& volume, double widest, std::size_t count,
 }
 
 std::optional<Pose> ObjectRow::place(std::size_t number, base::RandomSource& source) const {
-  constexpr double kUneven = 0.06;  // of the distance between two
+  constexpr double kUneven = 0.06;  // as a fraction of the spacing
   constexpr double kTurned = 0.1;   // [rad]
   const double apart = step_G_.norm();
   Eigen::Vector3d place_G = first_G_ + static_cast<double>(number) * step_G_;

@@ -9,17 +9,17 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Objects in a row, as cones, chairs and parked cars stand: nearly straight, at nearly equal
-/// distances, turned nearly alike.
+/// Objects in a row, like cones, chairs and parked cars: nearly straight, at nearly equal
+/// distances, and turned nearly alike.
 class ObjectRow {
  public:
-  /// @param widest  of the objects, as seen from above [m]
-  /// @param count  of objects
+  /// @param widest  width of the widest object, as seen from above [m]
+  /// @param count  number of objects
   ObjectRow(const Volume& volume, double widest, std::size_t count, base::RandomSource& source);
 
   /// X_GO of an upright object.
-  /// @param number  of its place in the row, below the count
-  /// @return nothing where that is outside of the volume
+  /// @param number  index of its place in the row, less than the count
+  /// @return nothing if the place is outside the volume
   [[nodiscard]] std::optional<Pose> place(std::size_t number, base::RandomSource& source) const;
 
  private:

@@ -12,7 +12,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// Keeps cell counts, of a map twice as fine and with a rim, within the range of OpenCV's int.
+/// Keeps cell counts within the range of OpenCV's int, even for a map twice as fine and with a rim.
 constexpr std::size_t kLongestSide = 1000000;  // [cells]
 
 void checkSides(std::size_t width, std::size_t height, std::size_t cell_count) {

@@ -24,7 +24,7 @@ std::string runsOf(const std::vector<std::int8_t>& cells) {
   return runs;
 }
 
-/// Nothing where the text is not of runs, or of more cells than there should be.
+/// Nothing if the text is not a list of runs, or has another number of cells than it should.
 std::optional<std::vector<std::int8_t>> cellsOf(const std::string& runs, std::size_t count) {
   std::vector<std::int8_t> cells;
   std::istringstream stream(runs);

@@ -15,8 +15,8 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// How often all objects of a scene are placed anew when the first ones leave the last no place, or
-/// what was dropped has not come to rest.
+/// How often all objects of a scene are placed anew if the first ones leave no place for the last,
+/// or something dropped has not come to rest.
 constexpr int kMostAttempts = 10;
 
 std::string noPlaceOnMap(const PlacedObject& object, double radius, double largest) {
@@ -76,7 +76,7 @@ std::vector<std::optional<Pose>> ScenePlacer::place(std::int64_t scene) {
               std::to_string(kMostAttempts) + " times: " + problem);
 }
 
-/// Nothing: the scene has no row.
+/// Nothing if the scene has no row.
 std::optional<ObjectRow> ScenePlacer::drawRow(std::int64_t scene) const {
   if (config_.rows <= 0.0) return std::nullopt;
   base::RandomSource source(seed_, scene, "placement/rows");
@@ -92,7 +92,7 @@ std::optional<ObjectRow> ScenePlacer::drawRow(std::int64_t scene) const {
   return ObjectRow(config_.volume, widest, count, source);
 }
 
-/// In the row where that is free; else anywhere.
+/// Places each object in the row if its place there is free, otherwise anywhere.
 std::optional<ScenePlacer::Poses> ScenePlacer::placeAll(const std::optional<ObjectRow>& row,
                                                         std::vector<base::RandomSource>& sources,
                                                         std::string& problem) const {
@@ -136,7 +136,7 @@ bool ScenePlacer::isInRow(std::size_t object) const {
   return objects_[object].takes_part && world_.isPresent(object);
 }
 
-/// As it is now.
+/// The room for the object's current variant.
 const NeededRoom& ScenePlacer::roomOf(std::size_t object) const {
   return objects_[object].rooms[world_.variant(object)];
 }

@@ -18,43 +18,43 @@
 
 namespace synthetic_dataset::randomize {
 
-/// How much room something needs.
+/// The space that something needs.
 struct NeededRoom {
-  double safety_radius = 0.0;  ///< about its frame's origin: nothing else is nearer [m]
+  double safety_radius = 0.0;  ///< about its frame's origin; nothing else comes closer [m]
   Cuboid box_O;                ///< around it
 };
 
-/// Something to be put somewhere.
+/// Something to be placed.
 struct PlacedObject {
   std::string name;
-  std::vector<NeededRoom> rooms;  ///< of each of its variants
-  bool takes_part = true;         ///< else it is nowhere
+  std::vector<NeededRoom> rooms;  ///< one for each of its variants
+  bool takes_part = true;         ///< otherwise it is not placed at all
 };
 
-/// Puts objects somewhere at random, scene by scene: on the free places of a map as the paper's
-/// first version did (Hart, Goodman, O'Shea), anywhere on the ground, anywhere in a box, or dropped
-/// from there. Nothing is ever inside anything else.
+/// Places objects at random in each scene: on the free places of a map as the paper's first version
+/// did (Hart, Goodman, O'Shea), anywhere on the ground, anywhere in a box, or dropped from there.
+/// Nothing is ever inside anything else.
 ///
-/// What comes out is a function of the seed, the scene and the objects alone; but for rows and what
-/// is in the way, each goes its own way.
+/// The result depends only on the seed, the scene and the objects. Each object is drawn
+/// independently of the others, except for rows and for what is in the way.
 class ScenePlacer {
  public:
-  /// @param config  whose mode kGround has an area
-  /// @param map  where the mode needs one
+  /// @param config  must have an area if its mode is kGround
+  /// @param map  if the mode needs one
   /// @param objects  in the world's order
-  /// @param world  has to outlive this, and so have its surroundings
+  /// @param world  must outlive this, and so must its surroundings
   /// @throws ErrorList naming each object for which the map has no place
   ScenePlacer(const PlacementOptions& config, const std::optional<OccupancyMap>& map,
               std::vector<PlacedObject> objects, world::World& world, Surroundings& surroundings,
               std::uint64_t seed);
 
-  /// X_GO of all objects in a scene, in their active variants; the world starts anew.
-  /// @return nothing for those that do not take part
-  /// @throws Error naming an object for which no place was found, and why
+  /// X_GO of all objects in a scene, in their active variants; resets the world.
+  /// @return nothing for objects that do not take part
+  /// @throws Error naming an object for which no place was found, and saying why
   [[nodiscard]] std::vector<std::optional<Pose>> place(std::int64_t scene);
 
  private:
-  using Misses = std::map<std::string, int>;  ///< how often, by what happened
+  using Misses = std::map<std::string, int>;  ///< number of rejected places by reason
   using Poses = std::vector<std::optional<Pose>>;
 
   [[nodiscard]] const NeededRoom& roomOf(std::size_t object) const;
@@ -77,7 +77,7 @@ class ScenePlacer {
   world::World& world_;
   std::uint64_t seed_;
   std::map<double, FreePlaces> free_;   ///< by safety radius, with a map
-  std::optional<StandingPlace> stand_;  ///< where objects stand on what is below
+  std::optional<StandingPlace> stand_;  ///< if objects stand on what is below
 };
 
 }  // namespace synthetic_dataset::randomize

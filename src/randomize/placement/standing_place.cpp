@@ -11,9 +11,9 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-constexpr double kDeepest = 1e4;  // [m] below the highest surface that counts
+constexpr double kDeepest = 1e4;  // [m] below the highest surface that is considered
 
-/// No surface is known to be more even than this [m]: rays are of single precision.
+/// Tolerances below this [m] cannot be checked: rays are cast in single precision.
 constexpr double kLeastUnevenness = 1e-3;
 
 const Eigen::Vector3d kDown(0.0, 0.0, -1.0);
@@ -48,7 +48,7 @@ PoseOrReason StandingPlace::at(const Eigen::Vector2d& place_G, double heading,
   return X_GO;
 }
 
-/// Whether the surface is below all corners of the thing's bottom.
+/// Whether there is a surface close to all corners of the thing's bottom.
 bool StandingPlace::liesEven(const Pose& X_GO, const Cuboid& box_O) const {
   const double unevenness = std::max(options_.unevenness, kLeastUnevenness);
   for (const double x : {box_O.low.x(), box_O.high.x()}) {

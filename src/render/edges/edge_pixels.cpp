@@ -13,10 +13,11 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// What the centres of a row's pixels see, member by member, with room for four from any of them.
+/// What the centres of a row's pixels see, as a structure of arrays, padded so that four can be
+/// loaded from any pixel on.
 class SurfaceRow {
  public:
-  /// @param most  that there may be
+  /// @param most  the maximum number of pixels
   explicit SurfaceRow(int most) : items_(static_cast<std::size_t>(most + kLaneCount)) {
     for (auto* numbers : {&x_, &y_, &z_, &normal_x_, &normal_y_, &normal_z_}) {
       numbers->resize(items_.size());
@@ -28,7 +29,7 @@ class SurfaceRow {
             const Intrinsics& k) {
     takeNormals(images, first, width);
     const float* depths = images.depth.ptr<float>(first.y, first.x);
-    // From the picture's own columns, so that a pixel's place does not depend on the region.
+    // Computed from the picture's columns, so that a pixel's place does not depend on the region.
     const Lanes centre = lanes(static_cast<float>(k.cx));
     const Lanes step = lanes(static_cast<float>(1.0 / k.fx));
     const Lanes slope_y = lanes(static_cast<float>((place.y + first.y - k.cy) / k.fy));
@@ -44,8 +45,8 @@ class SurfaceRow {
     }
   }
 
-  /// The same where pixels look along rays.
-  /// @param rays  CV_32FC3 of the picture
+  /// Like the other take(), for depths along the pixels' rays.
+  /// @param rays  CV_32FC3, of the picture
   void take(const GeometryImages& images, const cv::Point& first, int width, const cv::Rect& place,
             const cv::Mat& rays) {
     takeNormals(images, first, width);
@@ -94,14 +95,14 @@ class SurfaceRow {
   int width_ = 0;
   std::vector<int> items_;
   std::vector<float> x_, y_, z_;
-  std::vector<float> distances_;  // empty where depths are z
+  std::vector<float> distances_;  // empty if depths are z
   std::vector<float> normal_x_, normal_y_, normal_z_;
 };
 
-/// Compares four pixels with four others; a bit is set where they see different surfaces.
+/// Compares four pixels with four others; a bit is set for each pair that sees different surfaces.
 int differing(const SurfaceRow& row, int u, const SurfaceRow& other, int o, float focal_length) {
   constexpr float kBend = 0.97F;  // the cosine of an angle beyond which shading may jump
-  constexpr float kStep = 3.0F;   // [px] that one is before or behind the plane of the other
+  constexpr float kStep = 3.0F;   // [px] that one is in front of or behind the other's plane
   const Lanes3 normals = row.normals(u);
   const Lanes bends = dot(normals, other.normals(o)) < lanes(kBend);
   const Lanes off = dot(normals, other.places(o) - row.places(u));
@@ -112,8 +113,8 @@ int differing(const SurfaceRow& row, int u, const SurfaceRow& other, int o, floa
   return cv::v_signmask(is_other | (cv::v_reinterpret_as_s32(bends | steps) & is_item));
 }
 
-/// Marks pixels of a row and their neighbours in another, or `shift` farther in the same row, where
-/// they see different surfaces.
+/// Marks both pixels of each pair of neighbours that see different surfaces: one in a row, the
+/// other in another row, or `shift` farther in the same row.
 void mark(const SurfaceRow& row, const SurfaceRow& other, int shift, float focal_length,
           std::uint8_t* edges, std::uint8_t* other_edges) {
   const int count = row.width() - shift;
@@ -128,9 +129,9 @@ void mark(const SurfaceRow& row, const SurfaceRow& other, int shift, float focal
   }
 }
 
-/// Marks the pixels of a region that are by an edge, and some of those around it.
+/// Marks the edge pixels of a region, as far as neighbours inside the region tell.
 /// @param region  in the coordinates of `place`
-/// @param rows  for as many pixels as `place` is wide
+/// @param rows  buffers for as many pixels as `place` is wide
 void markEdges(const GeometryImages& images, const cv::Rect& place, const cv::Rect& region,
                const Intrinsics& k, const cv::Mat& rays, std::array<SurfaceRow, 2>& rows,
                cv::Mat& edges) {
@@ -177,7 +178,7 @@ EdgePixels::EdgePixels(const GeometryImages& images, const cv::Rect& place,
   }
 }
 
-/// Most pixels are not by an edge.
+/// Tests eight pixels at once, as most are not at an edge.
 void EdgePixels::addWord(const std::uint8_t* is_edge, const cv::Point& first) {
   constexpr int kAtOnce = 8;
   Word word{0, pixels_.size()};

@@ -12,24 +12,24 @@
 
 namespace synthetic_dataset::render {
 
-/// Pixels whose centre sees another surface than a neighbour's.
+/// Pixels whose centre sees a different surface than a neighbour's centre.
 class EdgePixels {
  public:
   /// @param images  of the pixels of `place`
-  /// @param regions  within `place`, around the pixels that are wanted
-  /// @param wanted  CV_8UC1 of the picture: 255 for these, else 0
-  /// @param rays  CV_32FC3 of the picture: what pixels look along, in whose lengths depths are;
-  ///     empty for those of a pinhole
+  /// @param regions  within `place`; contain all wanted pixels
+  /// @param wanted  CV_8UC1, of the picture: 255 for the wanted pixels, else 0
+  /// @param rays  CV_32FC3, of the picture: the pixels' rays, along which depths are measured;
+  ///   empty for a pinhole camera
   EdgePixels(const GeometryImages& images, const cv::Rect& place,
              const std::vector<cv::Rect>& regions, const cv::Mat& wanted,
              const Intrinsics& intrinsics, const cv::Mat& rays = {});
 
   [[nodiscard]] const std::vector<cv::Point>& pixels() const { return pixels_; }
 
-  /// CV_8UC1 of a picture of this size, 255 for these pixels, else 0.
+  /// A mask of a picture of this size: CV_8UC1, 255 for the edge pixels, else 0.
   [[nodiscard]] cv::Mat mask(const cv::Size& size) const;
 
-  /// Calls visit(index in pixels()) for those in a rectangle.
+  /// Calls visit(index in pixels()) for the edge pixels in a rectangle.
   template <class Visit>
   void visit(const cv::Rect& rectangle, const Visit& visit) const {
     const cv::Rect inside = rectangle & place_;
@@ -56,10 +56,10 @@ class EdgePixels {
  private:
   static constexpr int kWordBits = 64;
 
-  /// Which of 64 pixels side by side are by an edge: the leftmost in the lowest bit.
+  /// Which of 64 adjacent pixels of a row are at an edge: the leftmost in the lowest bit.
   struct Word {
     std::uint64_t bits = 0;
-    std::size_t first = 0;  ///< of them, its place in pixels_
+    std::size_t first = 0;  ///< index in pixels_ of the first of them
   };
 
   void addWord(const std::uint8_t* is_edge, const cv::Point& first);

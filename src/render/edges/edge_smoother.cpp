@@ -13,11 +13,11 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kSide = 3;  ///< [px] of the square around a pixel that is looked at
+constexpr int kSide = 3;  ///< [px] of the square of pixels around one that is considered
 constexpr std::size_t kMiddle = kSide / 2;
 
-/// Numbers of the pixels around one: a row of the square in each, and in the last
-/// lane anything.
+/// Numbers for the pixels around one: each element is a row of the square, with its last lane
+/// unused.
 using Square = std::array<Lanes, kSide>;
 
 /// What the centres of the pixels around one see.
@@ -29,13 +29,13 @@ class Neighbourhood {
         columns_(lanes(static_cast<float>(pixel.x - 1)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F)),
         first_row_(static_cast<float>(pixel.y - 1)) {}
 
-  /// How little a row of the pixels looks like a face.
+  /// How much each pixel of a row differs from a face.
   [[nodiscard]] Lanes unlikeness(const SeenFace* face, std::size_t number) const {
     const Row row = rowAt(static_cast<int>(number));
     const cv::v_int32x4 item = cv::v_setall_s32(face == nullptr ? 0 : face->item);
     const Lanes is_same = cv::v_reinterpret_as_f32(row.items == item);
     if (face == nullptr) return cv::v_select(is_same, lanes(0.0F), lanes(likeness::kUnlike));
-    // Vertices' normals may point inwards, all of a mesh's alike.
+    // The vertices' normals may point inwards, consistently for a whole mesh.
     const Lanes turned = lanes(1.0F) - cv::v_abs(dot(row.normals, lanes(face->normal)));
     const Lanes down = lanes(first_row_ + static_cast<float>(number));
     const Lanes expected = lanes(face->origin.z()) +
@@ -47,7 +47,7 @@ class Neighbourhood {
 
  private:
   struct Row {
-    cv::v_int32x4 items;  ///< -1 beside the image
+    cv::v_int32x4 items;  ///< -1 outside the image
     Lanes depths;
     Lanes3 normals;
   };
@@ -65,7 +65,7 @@ class Neighbourhood {
     std::array<float, kLaneCount> depths{};
     std::array<std::uint16_t, std::size_t{4} * kLaneCount> normals{};
     items.fill(-1);
-    const int left = std::max(-from.x, 0);  // columns beside the image, which have no surface
+    const int left = std::max(-from.x, 0);  // columns outside the image, which have no surface
     const int count = std::min(kSide - left, seen_.place.width - from.x - left);
     if (is_inside) {
       std::copy_n(images.items.ptr<int>(from.y, from.x + left), count, items.begin() + left);
@@ -77,15 +77,15 @@ class Neighbourhood {
   }
 
   const PictureSamples& seen_;
-  cv::Point first_;  ///< of the pixels, in the images
+  cv::Point first_;  ///< the first of the pixels, in the images
   Lanes columns_;
   float first_row_;
 };
 
-/// How far a sample is from the pixels around its own, as it counts against likeness.
+/// A sample's distances from a row of the pixels around its own, weighted as unlikeness.
 std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
   std::array<float, kLaneCount> distances{};
-  distances.fill(likeness::kUnlike);  // of the last lane
+  distances.fill(likeness::kUnlike);  // so that the last lane is never chosen
   for (int column = 0; column < kSide; ++column) {
     const float x = static_cast<float>(column - 1) - kSampleColumns.at(sample);
     const float y = static_cast<float>(row - 1) - kSampleRows.at(sample);
@@ -94,7 +94,8 @@ std::array<float, kLaneCount> distancesFrom(std::size_t sample, int row) {
   return distances;
 }
 
-/// Finds the light of what a pixel's samples see, at pixels whose centres see the same surface.
+/// Finds the light of what a pixel's samples see, by taking it from pixels whose centres see the
+/// same surface.
 class Resolver {
  public:
   Resolver(const PictureSamples& seen, const SampleRaster& raster) : seen_(seen), raster_(raster) {
@@ -107,13 +108,13 @@ class Resolver {
   }
 
   /// The mean of the samples' light.
-  /// @param number  of the pixel in the raster
+  /// @param number  the pixel's index in the raster
   [[nodiscard]] Eigen::Vector3f light(const cv::Point& pixel, std::size_t number) const {
     const Neighbourhood neighbours(seen_, pixel);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     const SeenFace* last = nullptr;
     Square unlike;
-    bool is_alike = false;  // to the pixel's own centre, so that no other is nearer
+    bool is_alike = false;  // to the pixel's own centre, which is then taken
     bool is_whole = false;  // whether all rows of the square are known
     for (std::size_t sample = 0; sample < kSampleCount; ++sample) {
       const SeenFace* face = raster_.at(number, sample);

@@ -9,16 +9,18 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Depths that differ by less are of the same place: which item is seen there is a matter of order.
+/// Surfaces whose depths differ by a smaller share than this coincide: which item is seen there
+/// depends on their order.
 constexpr float kSame = 1e-5F;
 constexpr int kNotStored = -1;
 
-/// Twice the area of a triangle, of which one turns right-handed in an image (whose v goes down).
+/// Twice the signed area of a triangle: positive if its corners are in right-handed order in the
+/// image (where v points down).
 float doubleArea(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
 }
 
-/// A side of a triangle that turns right-handed in the image.
+/// A side of a triangle whose corners are in right-handed order in the image.
 class Side {
  public:
   Side(const Eigen::Vector3f& from, const Eigen::Vector3f& to)
@@ -27,7 +29,7 @@ class Side {
         along_u_(lanes(to.x() - from.x())),
         along_v_(lanes(to.y() - from.y())) {}
 
-  /// Set where the triangle may cover places, as far as this side tells.
+  /// Whether places are on the inner side of this side, or on it.
   [[nodiscard]] Lanes inside(const Lanes& u, const Lanes& v) const {
     return along_u_ * (v - v_) >= (u - u_) * along_v_;
   }
@@ -36,7 +38,7 @@ class Side {
   Lanes u_, v_, along_u_, along_v_;
 };
 
-/// One that turns right-handed in the image.
+/// A triangle whose corners are in right-handed order in the image.
 class Triangle {
  public:
   Triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c)
@@ -130,14 +132,14 @@ void SampleRaster::drawClipped(const std::array<Eigen::Vector3f, 3>& points_C) {
 }
 
 void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const Corner& third) {
-  // From outside, corners go round left-handed in the world, so in the image, whose v goes down,
-  // with a negative area.
+  // Seen from outside, corners are in counter-clockwise order, which in the image, where v points
+  // down, gives a negative area.
   const float area = doubleArea(first.pixel, second.pixel, third.pixel);
   if (area == 0.0F || (area > 0.0F && !double_sided_)) return;
   const Eigen::Vector3f& a = first.pixel;
   const Eigen::Vector3f& b = area > 0.0F ? second.pixel : third.pixel;
   const Eigen::Vector3f& c = area > 0.0F ? third.pixel : second.pixel;
-  std::optional<Triangle> triangle;  // most have no edge pixel near them
+  std::optional<Triangle> triangle;  // made when needed: most have no edge pixels nearby
   int number = kNotStored;
   edges_.visit(pixelsAround(a, b, c), [&](std::size_t pixel) {
     const cv::Point& at = edges_.pixels()[pixel];
@@ -146,7 +148,7 @@ void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const
     if (!triangle) triangle.emplace(a, b, c);
     const Lanes covered = triangle->covered(u, v);
     if (!cv::v_check_any(covered)) return;
-    // Holes are known at centres alone.
+    // Holes are known at the pixels' centres only.
     if (has_holes_ && seen_items_.at<int>(at - place_.tl()) != number_) return;
     if (number == kNotStored) {
       number = static_cast<int>(faces_.size());
@@ -156,7 +158,7 @@ void SampleRaster::drawTriangle(const Corner& first, const Corner& second, const
   });
 }
 
-/// How far what lies at a depth of 1 m reaches, as the limit counts.
+/// How far points at a depth of 1 m are, measured as NearLimit::reach is.
 Lanes SampleRaster::reachOfUnitDepth(const Lanes& u, const Lanes& v, const NearLimit& limit) const {
   const Lanes one = lanes(1.0F);
   const Lanes3 ray{(u - lanes(cx_)) * lanes(1.0F / fx_), (v - lanes(cy_)) * lanes(1.0F / fy_), one};
@@ -164,14 +166,14 @@ Lanes SampleRaster::reachOfUnitDepth(const Lanes& u, const Lanes& v, const NearL
   return dot(ray, lanes(Eigen::Vector3f(limit.axis_C.cast<float>())));
 }
 
-/// Lets samples see a face where it is the nearest.
+/// Makes samples see a face where it is the nearest so far.
 void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int number,
                        PixelSamples& samples) const {
   const SeenFace& face = faces_[static_cast<std::size_t>(number)];
   const Lanes on_plane = lanes(face.origin.z()) +
                          lanes(face.slope.x()) * (u - lanes(face.origin.x())) +
                          lanes(face.slope.y()) * (v - lanes(face.origin.y()));
-  // Within the corners', whatever the slope of a sliver is.
+  // Between those of the corners, however steep a sliver is.
   const Lanes inverse_depth = clamped(on_plane, face.origin.z(), face.nearest);
   const Lanes before = cv::v_load(samples.inverse_depth.data());
   const Lanes least = before * lanes(stands_still_ ? 1.0F - kSame : 1.0F + kSame);
@@ -186,7 +188,7 @@ void SampleRaster::see(const Lanes& covered, const Lanes& u, const Lanes& v, int
                            cv::v_load(samples.face.data())));
 }
 
-/// Pixels reach half a pixel around their centres.
+/// The pixels that a triangle's bounds touch; a pixel extends half a pixel from its centre.
 cv::Rect SampleRaster::pixelsAround(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
                                     const Eigen::Vector3f& c) const {
   const auto whole = [](float at, int low, int size) {
@@ -213,7 +215,7 @@ SeenFace SampleRaster::makeFace(const Corner& first, const Corner& second,
   const auto farther = [](const Eigen::Vector3f& p, const Eigen::Vector3f& q) {
     return p.z() < q.z();
   };
-  // Floats are the finer the smaller they are.
+  // The smaller a float, the finer its resolution.
   face.origin = std::min({a, second.pixel, third.pixel}, farther);
   face.nearest = std::max({a.z(), second.pixel.z(), third.pixel.z()});
   face.normal = (second.point_C - first.point_C).cross(third.point_C - first.point_C).normalized();

@@ -14,8 +14,8 @@
 
 namespace synthetic_dataset::render {
 
-/// Where a pixel is looked at besides its centre, from it [px]: each in a row and a column of its
-/// own (a rotated grid).
+/// The places in a pixel, besides its centre, that are sampled, relative to the centre [px]: each
+/// in a row and a column of its own (a rotated grid).
 inline constexpr std::size_t kSampleCount = kLaneCount;
 inline constexpr std::array<float, kSampleCount> kSampleColumns = {-0.125F, 0.375F, -0.375F,
                                                                    0.125F};
@@ -27,22 +27,21 @@ struct SeenFace {
   Eigen::Vector3f normal{0.0F, 0.0F, 0.0F};  ///< in the optical frame, towards the camera
   Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< the farthest corner: u, v [px], 1 / depth [1/m]
   float nearest = 0.0F;                      ///< 1 / depth of the nearest corner
-  Eigen::Vector2f slope{0.0F, 0.0F};  ///< of 1 / depth, which is linear over the image, a pixel
-                                      ///< to the right and down
+  Eigen::Vector2f slope{0.0F, 0.0F};         ///< of 1 / depth (linear over the image), per pixel
 };
 
-/// Finds what the samples of some pixels see: draws triangles for these places alone.
+/// Finds what the samples of some pixels see, by drawing triangles at these places only.
 class SampleRaster {
  public:
-  /// @param edges  has to outlive this
+  /// @param edges  has to outlive this object
   SampleRaster(const View& view, const EdgePixels& edges, const cv::Mat& items,
                const cv::Rect& place);
 
-  /// Draws an item over what was drawn before.
+  /// Draws an item; samples then see whatever is nearer, it or what was drawn before.
   /// @param number  as in GeometryImages::items
   void draw(const DrawItem& item, int number, const Pose& X_WL);
 
-  /// What a sample of edges.pixels()[pixel] sees, or null.
+  /// The face that a sample of edges.pixels()[pixel] sees, or null.
   [[nodiscard]] const SeenFace* at(std::size_t pixel, std::size_t sample) const {
     const int face = samples_[pixel].face[sample];
     return face < 0 ? nullptr : &faces_[static_cast<std::size_t>(face)];
@@ -52,7 +51,7 @@ class SampleRaster {
   /// What each sample of a pixel sees.
   struct PixelSamples {
     std::array<float, kSampleCount> inverse_depth = {0.0F, 0.0F, 0.0F, 0.0F};
-    std::array<int, kSampleCount> face = {-1, -1, -1, -1};  ///< its place in faces_; none
+    std::array<int, kSampleCount> face = {-1, -1, -1, -1};  ///< index in faces_; -1: none
   };
   struct Corner {
     Eigen::Vector3f point_C;
@@ -79,9 +78,9 @@ class SampleRaster {
   float fx_, fy_, cx_, cy_, near_, farthest_;
   std::vector<PixelSamples> samples_;
   std::vector<SeenFace> faces_;
-  std::vector<Corner> corners_;  ///< of the item that is drawn
+  std::vector<Corner> corners_;  ///< of the item being drawn
 
-  // The item that is drawn.
+  // The item being drawn.
   int number_ = 0;
   bool double_sided_ = false;
   bool stands_still_ = false;

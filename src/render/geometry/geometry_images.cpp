@@ -25,7 +25,7 @@ Framebuffer makeGeometryBuffer(const GlFunctions& gl, const cv::Size& size,
 
 void beginGeometry(const Framebuffer& buffer) {
   buffer.bind();
-  // So depth is 0 where there is nothing. What else such pixels hold is not looked at.
+  // Makes depth 0 where there is nothing; the other values of such pixels are not used.
   buffer.clearToZero(kItemsDepths);
   buffer.clearDepth();
 }

@@ -13,7 +13,7 @@ constexpr SurfaceFeatures kUnderstood =
     feature::kTextured | feature::kHoles | feature::kTinted | feature::kNormalMap |
     feature::kRoughnessMap | feature::kMetalnessMap | feature::kEmissiveMap | feature::kNearLimit;
 
-/// Whether there are backs that are lit by other normals than those towards the camera.
+/// Whether there are back faces that are lit by normals which do not point towards the camera.
 bool hasBacks(const DrawList& draw_list) {
   return draw_list.isClassic() &&
          std::any_of(draw_list.items().begin(), draw_list.items().end(),
@@ -54,7 +54,7 @@ void GeometryPainter::paint(const View& view, const std::vector<Pose>& X_WL,
   gl_.StencilMask(kAllBits);
 }
 
-/// Whether and which bits what is drawn from now on sets.
+/// Sets the stencil bits that drawing sets from now on; 0 for none.
 void GeometryPainter::setStencil(GLuint bits) {
   if (bits == 0) {
     gl_.Disable(GL_STENCIL_TEST);

@@ -8,20 +8,21 @@
 
 namespace synthetic_dataset::render {
 
-/// Draws surfaces, unlit, into the bound geometry buffer. Of surfaces at the same place that stands
-/// which never moves, of several of them the last one.
+/// Draws surfaces, unlit, into the bound geometry buffer. Of coincident surfaces the one that never
+/// moves is seen, of several such surfaces the last one.
 class GeometryPainter {
  public:
-  /// @param draw_list  has to outlive this
+  /// @param draw_list  has to outlive this painter
   GeometryPainter(const GlFunctions& gl, const DrawList& draw_list);
 
-  /// What the buffers have to hold for these items.
+  /// The planes that buffers need for the draw list's items.
   [[nodiscard]] const GeometryPlanes& planes() const { return planes_; }
 
-  /// The selected items that one cannot see through.
-  /// @param stand_still  those that do, which have to be drawn before the others, or the others
-  /// @param bits  that the items set in the stencil, hidden or not
-  /// @param pixels  all others stay as they are
+  /// Draws the selected items that are opaque.
+  /// @param stand_still  whether to draw those that never move, which have to be drawn first, or
+  ///   the others
+  /// @param bits  which the items set in the stencil, hidden or not
+  /// @param pixels  the pixels to draw; all others remain unchanged
   void paint(const View& view, const std::vector<Pose>& X_WL, const LinkSelection& drawn,
              bool stand_still, const SilhouetteBits& bits, const cv::Rect& pixels);
 

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Whether all of an object is drawn with what moves, and hides what is behind it.
+/// Whether all of an object's drawn items can move and are opaque.
 bool isDrawnWhole(const std::vector<DrawItem>& items, const LinkSelection& drawn,
                   std::uint32_t identifier) {
   return std::none_of(items.begin(), items.end(), [&](const DrawItem& item) {
@@ -18,7 +18,7 @@ bool isDrawnWhole(const std::vector<DrawItem>& items, const LinkSelection& drawn
   });
 }
 
-/// The first bit that nothing near has; 0 when all are taken.
+/// The first bit that no overlapping object has; 0 when all are taken.
 template <class Objects>
 std::uint8_t freeBit(const Objects& objects, const cv::Rect& pixels) {
   unsigned taken = 0;

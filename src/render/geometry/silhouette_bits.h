@@ -11,17 +11,17 @@
 
 namespace synthetic_dataset::render {
 
-/// Which bit of a stencil buffer each object sets where it is drawn, whatever hides it: so one
-/// drawing of all of them gives the silhouette of each.
+/// Assigns each object a bit of the stencil buffer, which it sets wherever it is drawn, even where
+/// it is hidden: drawing all objects once thus gives the silhouette of each.
 ///
-/// Objects that are apart in the picture share a bit. One without a bit, because there is none left
-/// or because of how it is drawn, is drawn by itself.
+/// Objects that do not overlap in the picture may share a bit. The silhouette of an object without
+/// a bit, because none is left or because of how it is drawn, has to be drawn separately.
 class SilhouetteBits {
  public:
-  /// Where links alone set their bit.
+  /// A bit, and the pixels in which no links but an object's set it.
   struct Place {
     std::uint8_t bit = 0;
-    cv::Rect pixels;  ///< the links cover none beside them
+    cv::Rect pixels;  ///< the object's links cover no others
   };
 
   /// No objects.
@@ -32,10 +32,10 @@ class SilhouetteBits {
   SilhouetteBits(const DrawList& draw_list, const View& view, const std::vector<Pose>& X_WL,
                  const LinkSelection& drawn);
 
-  /// What the item sets; 0 for nothing.
+  /// The bit that the item sets; 0 for none.
   [[nodiscard]] std::uint8_t of(const DrawItem& item) const;
 
-  /// Nothing unless the links are all those of an object that are drawn.
+  /// The place of an object, if the links are exactly the drawn links of that object.
   [[nodiscard]] std::optional<Place> find(const LinkSelection& links) const;
 
  private:

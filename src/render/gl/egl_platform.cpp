@@ -28,7 +28,7 @@ constexpr std::array<EGLint, 7> kAttributes = {EGL_CONTEXT_MAJOR_VERSION,
 
 void* entryPointOf(const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
 
-/// EGL without any surface, on the processor whatever GPU there is.
+/// EGL without any surface, on the CPU regardless of any GPU.
 /// https://registry.khronos.org/EGL/extensions/MESA/EGL_MESA_platform_surfaceless.txt
 class EglPlatform : public OffscreenPlatform {
  public:
@@ -55,7 +55,7 @@ class EglPlatform : public OffscreenPlatform {
     }
   }
 
-  /// The display is one for the whole process, other contexts' too: it stays open.
+  /// Leaves the display open, as the whole process shares it, including other contexts.
   ~EglPlatform() override {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);

@@ -11,9 +11,9 @@ namespace {
 
 GLenum attachment(std::size_t output) { return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output); }
 
-/// How pixels of a format are read.
+/// How pixels of a sized format are read.
 struct PixelType {
-  GLenum sized;  ///< the format
+  GLenum sized;  ///< the sized format
   int type;      ///< of cv::Mat
   GLenum format;
   GLenum component;
@@ -42,7 +42,7 @@ std::vector<GlTexture> makeOutputs(const GlFunctions& gl, const cv::Size& size,
 GlTexture makePlane(const GlFunctions& gl, GLenum format, int width, int height) {
   GlTexture texture = makeTexture(gl, GL_TEXTURE_2D);
   gl.TextureStorage2D(texture.name(), 1, format, width, height);
-  // Whole numbers cannot be filtered: with OpenGL's defaults, shaders would read 0.
+  // Integers cannot be filtered: with OpenGL's defaults, shaders would read 0.
   gl.TextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return texture;
@@ -122,7 +122,7 @@ void Framebuffer::bind() const {
 void Framebuffer::bind(const cv::Size& image, const cv::Rect& pixels) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl_.Viewport(0, 0, image.width, image.height);
-  gl_.Enable(GL_SCISSOR_TEST);  // for the clearing, too
+  gl_.Enable(GL_SCISSOR_TEST);  // for clearing, too
   gl_.Scissor(pixels.x, pixels.y, pixels.width, pixels.height);
 }
 
@@ -182,9 +182,9 @@ void Framebuffer::copyTo(const Framebuffer& to, const cv::Rect& pixels) const {
   copy(depth_, to.depth_);
 }
 
-const Framebuffer& holding(const GlFunctions& gl, const cv::Size& image,
-                           const std::vector<GLenum>& formats, GLenum depth,
-                           std::optional<Framebuffer>& framebuffer) {
+const Framebuffer& framebufferFor(const GlFunctions& gl, const cv::Size& image,
+                                  const std::vector<GLenum>& formats, GLenum depth,
+                                  std::optional<Framebuffer>& framebuffer) {
   const cv::Size held = framebuffer ? framebuffer->size() : cv::Size();
   if (held.width < image.width || held.height < image.height) {
     framebuffer.reset();  // before the next one needs memory

@@ -7,7 +7,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Fills in one entry point and notes the name where there is none.
+/// Fills in one entry point, and records its name if it is missing.
 class Loader {
  public:
   explicit Loader(void* (*load)(const char* name)) : load_(load) {}

@@ -6,10 +6,11 @@ namespace synthetic_dataset::render {
 
 /// The OpenGL 4.5 entry points that the renderer uses.
 ///
-/// They are taken from OSMesa's own loader and never linked: a libGL that some other library pulled
-/// into the process would answer the same names, but knows nothing of an offscreen context.
+/// They are obtained from the platform's own loader (OSMesa's or EGL's) and never linked: a libGL
+/// that some other library pulled into the process would provide the same names, but knows nothing
+/// of the offscreen context.
 struct GlFunctions {
-  /// @param load  gives an entry point by name, or nullptr
+  /// @param load  returns an entry point by its name, or nullptr
   /// @throws Error naming the entry points that are missing
   explicit GlFunctions(void* (*load)(const char* name));
 

@@ -32,9 +32,9 @@ std::unique_ptr<OffscreenPlatform> open(const std::string& name) {
 }
 
 std::unique_ptr<OffscreenPlatform> openChosen() {
-  // Mesa 20 (Debian 11) approximates which levels of a texture a pixel is mixed from, and how,
-  // unless this forbids it. Mesa 22 does not, and knows none of the two words.
-  setenv("GALLIVM_PERF", "no_brilinear,no_rho_approx", 0);  // keeps the user's
+  // Mesa 20 (Debian 11) approximates which mipmap levels a pixel is mixed from, and how, unless
+  // these options forbid it. Mesa 22 does not, and knows neither of them.
+  setenv("GALLIVM_PERF", "no_brilinear,no_rho_approx", 0);  // keeps the user's value
   const char* const chosen = std::getenv("SYNTHETIC_DATASET_GL");
   return open(chosen == nullptr ? "" : chosen);
 }
@@ -56,7 +56,7 @@ OffscreenContext::OffscreenContext() : platform_(openChosen()) {
   requireThreads();
 }
 
-/// Each GPU's driver draws other pixels.
+/// Throws unless llvmpipe draws, as each GPU's driver draws different pixels.
 void OffscreenContext::requireProcessor() const {
   const std::string renderer = textOf(gl_->GetString(GL_RENDERER));
   if (renderer.find("llvmpipe") != std::string::npos) return;
@@ -64,13 +64,13 @@ void OffscreenContext::requireProcessor() const {
               "'; it should be Mesa's llvmpipe, on which equal runs make equal pictures");
 }
 
-/// Mesa does not notice where the system started no threads for it, and waits for what they do for
-/// ever. Where there is one more to be had, it has its own.
+/// Throws if no more threads can be started. Mesa does not notice if the system could not start its
+/// threads, and waits for them for ever. If one more thread can be started, Mesa has its own.
 void OffscreenContext::requireThreads() {
   try {
     std::thread([] {}).join();
   } catch (const std::system_error& error) {
-    (void)platform_.release();  // its end would wait, too
+    (void)platform_.release();  // its destructor would wait, too
     throw Error(
         std::string("the system starts no more threads for this process: ") +
         error.code().message() +

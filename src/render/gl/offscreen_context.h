@@ -8,20 +8,20 @@
 
 namespace synthetic_dataset::render {
 
-/// An offscreen OpenGL 4.5 core context, drawn by the processor: no GPU, no display.
-/// Made current in the thread that makes it, and used from that thread alone.
+/// An offscreen OpenGL 4.5 core context, rendered by the CPU: no GPU, no display. Current in the
+/// thread that constructs it, and used from that thread only.
 ///
-/// It comes from OSMesa where the program was built with it, otherwise from EGL; the variable
-/// SYNTHETIC_DATASET_GL of the environment chooses (`osmesa`, `egl`).
+/// It comes from OSMesa if the program was built with it, otherwise from EGL; the environment
+/// variable SYNTHETIC_DATASET_GL overrides this (`osmesa`, `egl`).
 class OffscreenContext {
  public:
   /// @throws Error when there is no such context, when another libGL has taken OSMesa's place, when
-  ///   the system starts no threads for it, or when what is chosen is not built in
+  ///   the system cannot start its threads, or when the chosen platform is not built in
   OffscreenContext();
 
   [[nodiscard]] const GlFunctions& gl() const { return *gl_; }
 
-  /// As OpenGL tells it: "4.5 (Core Profile) Mesa 22.3.6".
+  /// As reported by OpenGL: "4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string version() const;
 
  private:

@@ -4,8 +4,8 @@
 
 namespace synthetic_dataset::render {
 
-/// A way to OpenGL 4.5 core on the processor, current in the thread that opened it until it ends.
-/// Whichever it is, Mesa's llvmpipe draws the same pixels.
+/// Provides an OpenGL 4.5 core context on the CPU, current in the thread that opened it until it is
+/// destroyed. With every platform, Mesa's llvmpipe draws the same pixels.
 class OffscreenPlatform {
  public:
   virtual ~OffscreenPlatform() = default;
@@ -13,13 +13,13 @@ class OffscreenPlatform {
   OffscreenPlatform(const OffscreenPlatform&) = delete;
   OffscreenPlatform& operator=(const OffscreenPlatform&) = delete;
 
-  /// The address of a function of OpenGL.
+  /// Returns the address of an OpenGL function.
   using EntryPoint = void* (*)(const char* name);
   [[nodiscard]] virtual EntryPoint entryPoint() const = 0;
 };
 
-/// Each is there where the program was built with its library.
-/// @throws Error when it gives no such context
+/// Each is available only if the program was built with its library.
+/// @throws Error when the platform cannot provide such a context
 [[nodiscard]] std::unique_ptr<OffscreenPlatform> openOsmesa();
 [[nodiscard]] std::unique_ptr<OffscreenPlatform> openEgl();
 

@@ -24,7 +24,7 @@ constexpr std::array<int, 11> kAttributes = {OSMESA_FORMAT,
 
 void* entryPointOf(const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
 
-/// Mesa's own library for pictures in memory, the last of which is that of Mesa 25.0.
+/// Mesa's own library for rendering into memory; Mesa 25.0 is the last version that has it.
 class OsmesaPlatform : public OffscreenPlatform {
  public:
   OsmesaPlatform() : context_(OSMesaCreateContextAttribs(kAttributes.data(), nullptr)) {
@@ -50,7 +50,7 @@ class OsmesaPlatform : public OffscreenPlatform {
     void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
   };
 
-  /// OSMesa wants a picture of its own to be current with; everything is drawn elsewhere.
+  /// OSMesa needs a picture to make its context current; everything is drawn elsewhere.
   std::array<unsigned char, 4> unused_picture_{};
   std::unique_ptr<std::remove_pointer_t<OSMesaContext>, Destroy> context_;
 };

@@ -7,14 +7,12 @@
 
 namespace synthetic_dataset::render {
 
-/// Whether a picture has smaller copies of itself, for where a pixel covers much of it.
+/// Whether a texture has mipmaps.
 enum class Mipmaps { kNone, kAll };
 
-/// A picture in the renderer's memory, filtered between its pixels; it goes on at the opposite
-/// edge.
-/// @param pixels  CV_8UC4: blue, green, red, alpha; or CV_32FC4, linear light, which is kept with
-/// 16
-///     bits a number
+/// Uploads a picture as a texture with linear filtering that repeats beyond its edges.
+/// @param pixels  CV_8UC4: blue, green, red, alpha; or CV_32FC4: linear light, which is stored with
+///   16 bits per channel
 [[nodiscard]] GlTexture uploadPicture(const GlFunctions& gl, const cv::Mat& pixels,
                                       PixelMeaning meaning, Mipmaps mipmaps);
 

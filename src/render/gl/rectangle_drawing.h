@@ -9,12 +9,12 @@
 
 namespace synthetic_dataset::render {
 
-/// Draws rectangles of a picture with programs of rectangles.vert.
+/// Draws rectangles of a picture with programs whose vertex shader is rectangles.vert.
 class RectangleDrawing {
  public:
   explicit RectangleDrawing(const GlFunctions& gl) : gl_(gl), no_vertices_(makeVertexArray(gl)) {}
 
-  /// @param picture  the size of all of it
+  /// @param picture  the size of the whole picture
   void draw(const ShaderProgram& program, const std::vector<cv::Rect>& rectangles,
             const cv::Size& picture) const;
 

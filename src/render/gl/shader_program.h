@@ -34,7 +34,7 @@ class ShaderProgram {
 
   const GlFunctions& gl_;
   GlProgram program_;
-  mutable std::unordered_map<std::string, GLint> locations_;  // asked of the driver once
+  mutable std::unordered_map<std::string, GLint> locations_;  // each queried once
 };
 
 /// Where the shaders' samplers find their textures.
@@ -48,7 +48,7 @@ enum TextureUnit : GLuint {
   kShadowSideUnit,
 };
 
-/// Tells a program of them; samplers that it lacks make no difference.
+/// Assigns the units to a program's samplers; a sampler that the program lacks is ignored.
 inline void setTextureUnits(const ShaderProgram& program) {
   program.set("diffuse_map", static_cast<int>(kDiffuseUnit));
   program.set("shadow_maps", static_cast<int>(kShadowUnit));

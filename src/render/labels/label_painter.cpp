@@ -16,8 +16,9 @@ namespace {
 /// The label shader's outputs.
 enum LabelOutput : std::size_t { kIds, kDepths, kLinks, kNormals };
 
-/// Towards the camera. The vertices' normals may point into the body, or, by the silhouette of a
-/// round one, a little away from the camera: the triangle says which side is seen.
+/// The interpolated normal, turned towards the camera. The vertices' normals may point into the
+/// body or, near the silhouette of a round body, slightly away from the camera: the triangle
+/// determines which side is seen.
 Eigen::Vector3f seenNormal(const FacedTriangle& triangle, const ItemSurface& surface,
                            const Eigen::Matrix3f& R_CV, const Eigen::Vector3f& ray) {
   const Eigen::Vector3f weights = triangle.weights(ray);
@@ -64,7 +65,7 @@ LabelImages labelsOf(const LensSight& sight, const DrawList& draw_list, const La
 /// Distances from the camera's centre, from depths along its axis.
 cv::Mat rangeOf(const cv::Mat& depth, const Intrinsics& k) {
   cv::Mat range(depth.size(), CV_32FC1);
-  // By rows, so that many pixels are worked out at a time.
+  // Row by row, so that many pixels are computed at a time.
   const Eigen::ArrayXd x =
       (Eigen::ArrayXd::LinSpaced(depth.cols, 0.0, depth.cols - 1.0) - k.cx) / k.fx;
   const Eigen::ArrayXf xx = (x * x).cast<float>();
@@ -89,7 +90,7 @@ LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,
   }
   const auto translated = [&](const std::vector<int>& table) {
     cv::Mat result(images.items.size(), CV_32SC1);
-    // By pointers: cv::Mat's iterators look for the ends of rows at each pixel.
+    // With pointers, as cv::Mat's iterators check for the end of a row at each pixel.
     const int* items_seen = images.items.ptr<int>();
     std::transform(items_seen, items_seen + images.items.total(), result.ptr<int>(),
                    [&](int item) { return table[static_cast<std::size_t>(item)]; });
@@ -131,7 +132,7 @@ LabelImages LabelPainter::paintPinhole(const View& view, const std::vector<Pose>
       drawSurface(gl_, program, *item, view, X_WL[item->link]);
     }
   };
-  // As geometry is drawn, so that of surfaces at the same place the same one is seen.
+  // In the order in which geometry is drawn, so that the same one of coincident surfaces is seen.
   const Pose X_CW = view.X_WC.inverse();
   draw(draw_list_.solidItems(X_CW, X_WL, pass.drawn, true), GL_GEQUAL);
   draw(draw_list_.solidItems(X_CW, X_WL, pass.drawn, false), GL_GREATER);
@@ -148,7 +149,8 @@ const Framebuffer& LabelPainter::targetFor(const cv::Size& size, const LabelPass
   std::optional<Framebuffer>& target = targets_[{pass.links, pass.normals}];
   const GLenum links = pass.links ? GL_R32UI : GL_NONE;
   const GLenum normals = pass.normals ? GL_RGBA32F : GL_NONE;
-  return holding(gl_, size, {GL_R32UI, GL_R32F, links, normals}, GL_DEPTH_COMPONENT32F, target);
+  return framebufferFor(gl_, size, {GL_R32UI, GL_R32F, links, normals}, GL_DEPTH_COMPONENT32F,
+                        target);
 }
 
 LabelImages LabelPainter::paint(const View& view, const std::vector<Pose>& X_WL,

@@ -23,22 +23,22 @@ struct LabelPass {
   bool range = false;    ///< whether LabelImages::range is made
 };
 
-/// Labels that follow from geometry.
+/// Derives labels from geometry images.
 /// @param images  of the whole picture
 /// @param pass  without normals
 [[nodiscard]] LabelImages labelsOf(const GeometryImages& images, const DrawList& draw_list,
                                    const Intrinsics& intrinsics, const LabelPass& pass);
 
-/// Draws what each pixel's centre sees, where geometry does not tell.
+/// Draws what each pixel's centre sees, for labels that cannot be derived from geometry images.
 class LabelPainter {
  public:
-  /// @param draw_list, eye  have to outlive this
+  /// @param draw_list, eye  have to outlive this painter
   LabelPainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye);
 
   [[nodiscard]] LabelImages paint(const View& view, const std::vector<Pose>& X_WL,
                                   const LabelPass& pass);
 
-  /// The same of a picture whose rows are taken one after the other.
+  /// The labels of a picture whose rows are taken one after the other.
   [[nodiscard]] LabelImages paint(const RollingView& rows, const LabelPass& pass);
 
  private:
@@ -52,7 +52,7 @@ class LabelPainter {
   LensEye& eye_;
   ShaderFamily programs_;
 
-  /// By whether they have links and normals; as large as the largest picture so far.
+  /// Keyed by whether they have links and normals; as large as the largest picture so far.
   std::map<std::pair<bool, bool>, std::optional<Framebuffer>> targets_;
 };
 

@@ -64,7 +64,7 @@ cv::Rect SilhouettePainter::Window::cellsWithin(const Box& box) const {
 
 namespace {
 
-/// The image and as much again on each of its sides.
+/// The image, extended by its own size on each side.
 Box canvasOf(const CameraModel& camera) {
   const int width = camera.width();
   const int height = camera.height();
@@ -89,11 +89,11 @@ double areaOf(const Box& box) { return box.width() * box.height(); }
 
 }  // namespace
 
-/// Where all is at one time.
+/// Where everything is at one time.
 struct SilhouettePainter::Instant {
   Pose X_WC;
   const std::vector<Pose>& X_WL;
-  double end_row;  ///< before which rows of the image's plane are of this time
+  double end_row;  ///< rows of the image's plane before it have this time
 };
 
 struct SilhouettePainter::Subject {
@@ -105,10 +105,11 @@ struct SilhouettePainter::Subject {
   }
 };
 
-/// Adds up what the windows show.
+/// Sums up what the windows show.
 class SilhouettePainter::Tally {
  public:
-  /// @param mask  the cells `region` of the window; pixels, one by one
+  /// Adds a window whose cells are single pixels.
+  /// @param mask  of the window's cells in `region`
   void addPixels(const Window& window, const cv::Rect& region, const cv::Mat& mask) {
     const cv::Rect covered = maskBounds(mask);
     if (covered.empty()) return;
@@ -118,8 +119,8 @@ class SilhouettePainter::Tally {
     expand(box_, {first.left, first.top, last.right, last.bottom});
   }
 
-  /// The same where cells are of any size and count by their area.
-  /// @param known  what of the plane has been counted already
+  /// Adds a window whose cells have any size, and count by their area.
+  /// @param known  the part of the plane that has been counted already
   void addCells(const Window& window, const cv::Rect& region, const cv::Mat& mask,
                 const Box& known) {
     for (int v = 0; v < mask.rows; ++v) {
@@ -150,10 +151,11 @@ SilhouettePainter::SilhouettePainter(const GlFunctions& gl, const DrawList& draw
       programs_(gl, shaders::kMeshVertex, shaders::kSilhouetteFragment,
                 feature::kHoles | feature::kNearLimit) {}
 
-/// Where the subject may have pixels.
+/// A box outside which the subject has no pixels.
 std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject,
                                                const CameraModel& camera) const {
-  // Through a lens, bounds are costly: they are taken of all items together, which is never less.
+  // Bounds through a lens are expensive: they are computed for all items together, which never
+  // gives a smaller box.
   const bool together = hasDistortion(camera);
   std::optional<Box> bounds;
   std::vector<Eigen::Vector3d> corners_C;
@@ -175,7 +177,7 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject,
   }
   add();
   if (!bounds) return std::nullopt;
-  constexpr double kSlack = 1.0;  // [px] for what is drawn in single precision
+  constexpr double kSlack = 1.0;  // [px] as drawing is in single precision
   return Box{bounds->left - kSlack, bounds->top - kSlack, bounds->right + kSlack,
              bounds->bottom + kSlack};
 }
@@ -183,7 +185,7 @@ std::optional<Box> SilhouettePainter::boundsOf(const Subject& subject,
 cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
                                        const std::vector<Pose>& X_WL, const cv::Rect& region) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  const Framebuffer& target = holding(gl_, size, {GL_R8}, GL_NONE, target_);
+  const Framebuffer& target = framebufferFor(gl_, size, {GL_R8}, GL_NONE, target_);
   target.bind(size, region);
   target.clear(0, {});
   for (const DrawItem& item : draw_list_.items()) {
@@ -193,7 +195,7 @@ cv::Mat SilhouettePainter::drawPinhole(const Subject& subject, const View& view,
   return target.read(0, region);
 }
 
-/// The cells `region` of a window's camera: CV_8UC1 of the region's size.
+/// Draws the cells `region` of a window's camera: CV_8UC1, of the region's size.
 cv::Mat SilhouettePainter::drawAt(const Instant& instant, const Subject& subject,
                                   const CameraModel& camera, const cv::Rect& region) {
   const View view{camera, instant.X_WC};
@@ -205,7 +207,7 @@ cv::Mat SilhouettePainter::drawAt(const Instant& instant, const Subject& subject
   return eye_.covered(view, instant.X_WL, items)(region).clone();
 }
 
-/// The same, each row as it is at its time.
+/// Draws the cells `region` of a window, each row as it is at its time.
 cv::Mat SilhouettePainter::draw(const Subject& subject, const Window& window,
                                 const cv::Rect& region) {
   if (subject.instants.size() == 1) {
@@ -228,7 +230,7 @@ cv::Mat SilhouettePainter::draw(const Subject& subject, const Window& window,
   return mask;
 }
 
-/// The grid of pixels goes on in pictures of the image's size.
+/// Adds what lies around the image up to the canvas's edge, in pictures of the image's size.
 void SilhouettePainter::addBesideTheImage(const Subject& subject, const CameraModel& camera,
                                           const Box& bounds, Tally& tally) {
   const cv::Size size(camera.width(), camera.height());
@@ -261,7 +263,7 @@ void SilhouettePainter::addFarAway(const Subject& subject, const CameraModel& ca
 
 void SilhouettePainter::addBesideTheLens(const Subject& subject, const CameraModel& camera,
                                          const Box& bounds, Tally& tally) {
-  constexpr double kMostCells = 4.2e6;  // a lens map takes some 50 bytes a cell, and time to make
+  constexpr double kMostCells = 4.2e6;  // a lens map takes some 50 bytes per cell, and time to make
   constexpr double kLongestSide = 16384.0;
   const Box canvas = canvasOf(camera);
   const double longest = std::max(canvas.width(), canvas.height());

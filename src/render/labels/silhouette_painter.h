@@ -16,45 +16,45 @@
 
 namespace synthetic_dataset::render {
 
-/// What links cover as if nothing stood in front of them. Pixels are sampled at their centres.
+/// What links would cover if nothing stood in front of them. Pixels are sampled at their centres.
 struct Silhouette {
   Mask mask;                         ///< of the image
-  std::optional<Box> box;            ///< around all pixels' edges [px], past the image's edge too
-  std::int64_t pixels = 0;           ///< all of them, past the image's edge too
-  std::int64_t pixels_in_image = 0;  ///< those of the mask
+  std::optional<Box> box;            ///< of all pixels' areas [px], also beyond the image's edge
+  std::int64_t pixels = 0;           ///< number of all pixels, also beyond the image's edge
+  std::int64_t pixels_in_image = 0;  ///< number of pixels of the mask
 };
 
-/// What links cover, whatever hides them, within some pixels of an image.
+/// What links cover, regardless of what hides them, in a part of an image.
 struct CoveredPixels {
-  cv::Rect place;  ///< they cover none beside these
+  cv::Rect place;  ///< the links cover no pixels outside it
   cv::Mat mask;    ///< CV_8UC1 of that size: 255 on the links, 0 elsewhere
 };
 
 /// Draws what links cover, in the image and beyond its edge.
 ///
-/// Only the pixels where the links' bounds fall are drawn. In the image they are those of
-/// LabelPainter. Beyond its edge the camera's grid of pixels goes on: as it is up to one image's
-/// width and height away; farther off, where only things beside the camera reach, what is left is
+/// Only the pixels within the links' projected bounds are drawn. In the image they are those of
+/// LabelPainter. Beyond its edge the camera's grid of pixels continues: unchanged up to one image's
+/// width and height away; farther away, which only things beside the camera reach, the rest is
 /// drawn in up to kCoarseCells x kCoarseCells cells of whole pixels, counted by their area. Through
-/// a lens with distortion it goes on up to one image's width and height, or as far as the lens
-/// sees; in large images in cells of several pixels.
+/// a lens with distortion the grid continues up to one image's width and height away, or as far as
+/// the lens sees; for large images in cells of several pixels.
 ///
-/// Of a picture whose rows are taken one after the other, each row of the image is of its own time.
-/// Beside the image, rows are of the nearest moment that the view has.
+/// In a picture whose rows are taken one after the other, each row of the image has its own time.
+/// Outside the image, rows have the time of the view's nearest moment.
 class SilhouettePainter {
  public:
   static constexpr int kCoarseCells = 1024;
 
-  /// @param draw_list, eye  have to outlive this
+  /// @param draw_list, eye  have to outlive this painter
   SilhouettePainter(const GlFunctions& gl, const DrawList& draw_list, LensEye& eye);
 
-  /// @param links  those that are seen
-  /// @param in_image  what they cover in the image, if that is known
+  /// @param links  the links whose silhouette is drawn
+  /// @param in_image  what they cover in the image, if that is known already
   [[nodiscard]] Silhouette paint(const View& view, const std::vector<Pose>& X_WL,
                                  const LinkSelection& links,
                                  const std::optional<CoveredPixels>& in_image);
 
-  /// The same of a picture whose rows are taken one after the other.
+  /// The silhouette in a picture whose rows are taken one after the other.
   [[nodiscard]] Silhouette paint(const RollingView& rows, const LinkSelection& links);
 
  private:

@@ -27,7 +27,7 @@ inline Eigen::Vector3d placeInCells(const Intrinsics& k, const Eigen::Vector3d& 
 /// A vertex of a mesh, seen from a face.
 struct FaceCorner {
   Eigen::Vector3d point_F;
-  Eigen::Vector2f place;  ///< [cell]; of those that are not nearer than the near plane
+  Eigen::Vector2f place;  ///< [cell]; set only beyond the near plane
   float inverse_depth = 0.0F;
 };
 
@@ -41,14 +41,15 @@ struct FaceTriangle {
   [[nodiscard]] Eigen::Vector2f high() const { return p.cwiseMax(q).cwiseMax(r); }
 };
 
-/// The rays of a grid, by the cells in which they lie.
+/// The rays of a grid, found by the cells in which they lie.
 class CellRays {
  public:
   explicit CellRays(const RayGrid& grid) : grid_(grid) {}
 
   [[nodiscard]] const RayGrid& grid() const { return grid_; }
 
-  /// Calls visit(first of four rays) for all that the triangle may cover.
+  /// Calls visit(first of four rays, their count) until all rays that the triangle may cover are
+  /// visited.
   template <class Visit>
   void visit(const FaceTriangle& triangle, const Visit& visit) const {
     const Eigen::Vector2f low = triangle.low();
@@ -82,7 +83,7 @@ class CellRays {
   }
 
  private:
-  /// The cells of a row that a triangle may cover.
+  /// The part of a row of cells that a triangle may cover.
   struct Span {
     float left = std::numeric_limits<float>::infinity();
     float right = -std::numeric_limits<float>::infinity();
@@ -112,11 +113,11 @@ class CellRays {
   const RayGrid& grid_;
 };
 
-/// Draws triangles of an item on a face, for the places of some rays alone.
+/// Draws triangles of an item on a face, only at the places of some rays.
 ///
-/// Whether a place is on an edge's one side or the other is worked out from the same corners in the
-/// same order for both triangles that share it, so that no ray passes between them.
-/// @tparam Rays  with grid() and visit(), as CellRays has them
+/// On which side of an edge a place lies is computed from the same corners in the same order for
+/// both triangles that share the edge, so that no ray passes between them.
+/// @tparam Rays  has grid() and visit() as CellRays does
 template <class Rays>
 class FaceDrawing {
  public:
@@ -142,8 +143,9 @@ class FaceDrawing {
     return {point_F, place.head<2>(), place.z()};
   }
 
-  /// Calls see(first of four rays, which of them, 1 / depth of each, *this) for those that meet it.
-  /// @param first  of its three indices, the first one's place in Mesh::indices
+  /// Calls see(first of four rays, which of them, 1 / depth of each, *this) for the rays that meet
+  /// the triangle.
+  /// @param first  the position in Mesh::indices of the first of the triangle's three indices
   template <class See>
   void drawTriangle(std::uint32_t first, const FaceCorner& a, const FaceCorner& b,
                     const FaceCorner& c, See&& see) {
@@ -155,7 +157,7 @@ class FaceDrawing {
     if (is_whole && isBesideTheGrid(a, b, c)) return;
     const Eigen::Vector3d normal = (b.point_F - a.point_F).cross(c.point_F - a.point_F);
     const double offset = normal.dot(a.point_F);
-    is_front_ = offset < 0.0;  // from outside, corners go round counter-clockwise
+    is_front_ = offset < 0.0;  // seen from outside, corners are in counter-clockwise order
     if (offset == 0.0 || (!is_front_ && !item_.double_sided)) return;
     first_ = first;
     corners_ = {&a, &b, &c};
@@ -186,7 +188,7 @@ class FaceDrawing {
   }
 
  private:
-  /// A triangle's plane: 1 / depth is linear over the face.
+  /// A triangle's plane, as 1 / depth, which is linear over the face.
   struct Plane {
     float column, row, inverse_depth;  ///< at its farthest corner
     float slope_column, slope_row;     ///< of 1 / depth
@@ -218,7 +220,7 @@ class FaceDrawing {
     for (std::size_t i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], see);
   }
 
-  /// Where a side meets the near plane: the same for both triangles that share it.
+  /// The point where a side meets the near plane, the same for both triangles that share the side.
   [[nodiscard]] FaceCorner cut(const FaceCorner& kept, const FaceCorner& lost) const {
     const double share = (near_ - kept.point_F.z()) / (lost.point_F.z() - kept.point_F.z());
     Eigen::Vector3d point = kept.point_F + share * (lost.point_F - kept.point_F);
@@ -250,7 +252,7 @@ class FaceDrawing {
     const Lanes on_plane = lanes(plane_.inverse_depth) +
                            lanes(plane_.slope_column) * (u - lanes(plane_.column)) +
                            lanes(plane_.slope_row) * (v - lanes(plane_.row));
-    // Within the corners', whatever the slope of a sliver is.
+    // Between those of the corners, however steep a sliver is.
     const Lanes inverse_depth = clamped(on_plane, plane_.inverse_depth, plane_.nearest);
     covered = covered & (inverse_depth >= lanes(farthest_));
     if (face_.near_limit) {
@@ -274,7 +276,7 @@ class FaceDrawing {
     has_plane_ = true;
   }
 
-  /// How far what lies at a depth of 1 m reaches, as the limit counts.
+  /// How far points at a depth of 1 m are, measured as NearLimit::reach is.
   [[nodiscard]] Lanes reachOfUnitDepth(const Lanes& u, const Lanes& v) const {
     const Intrinsics& k = grid_.intrinsics;
     const Lanes3 ray{(u - lanes(static_cast<float>(k.cx))) * lanes(static_cast<float>(1.0 / k.fx)),
@@ -305,8 +307,8 @@ class FaceDrawing {
   Plane plane_{};
 };
 
-/// Puts what is drawn into what rays see. Of surfaces at the same place, of those that stand still
-/// the last one is seen, and none that moves hides one of these.
+/// Records what is drawn as what the rays see. Of coincident surfaces, the last one that stands
+/// still is seen; a moving one never hides one that stands still.
 class SightRecorder {
  public:
   SightRecorder(const DrawItem& item, int number, std::size_t face, RaySights& sights)
@@ -317,7 +319,7 @@ class SightRecorder {
         triangles_(sights.triangles[face]),
         seen_(sights.seen) {}
 
-  /// What is drawn from now on.
+  /// Begins a series of triangles.
   /// @param row  as in SeenTriangle
   void beginTriangles(int row) {
     row_ = row;
@@ -350,8 +352,8 @@ class SightRecorder {
   }
 
  private:
-  /// Depths that differ by less are of the same place: which item is seen there is a matter of
-  /// order.
+  /// Surfaces whose depths differ by a smaller share than this coincide: which item is seen there
+  /// depends on their order.
   static constexpr float kSameDepth = 1e-5F;
 
   bool has_holes_;

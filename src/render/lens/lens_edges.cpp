@@ -25,21 +25,21 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The plane of a triangle that is seen, in the lens's frame.
+/// The plane of a visible triangle, in the lens's frame.
 struct SeenPlane {
   int item = 0;
   Eigen::Vector3f normal{0.0F, 0.0F, 0.0F};   ///< of unit length
   Eigen::Vector3f inverse{0.0F, 0.0F, 0.0F};  ///< inverse * p = 1 for its points p
 };
 
-/// What the samples of some pixels see through a lens, each along a ray of its own.
+/// What the samples of some pixels see through a lens, each along its own ray.
 class RaySamples {
  public:
-  /// @param pixels  that the lens sees something with
+  /// @param pixels  pixels with which the lens sees something
   RaySamples(const DrawList& draw_list, const EdgeScene& scene, const LensSight& sight,
              const std::vector<cv::Point>& pixels);
 
-  /// What a sample of pixels[pixel] sees, or null.
+  /// The plane that a sample of pixels[pixel] sees, or null.
   [[nodiscard]] const SeenPlane* at(std::size_t pixel, std::size_t sample) const {
     const int plane = samples_[pixel * kSampleCount + sample];
     return plane < 0 ? nullptr : &planes_[static_cast<std::size_t>(plane)];
@@ -49,12 +49,12 @@ class RaySamples {
   template <class Grids>
   void take(const Grids& grids, const RaySights& sights, const LensSight& sight);
 
-  std::vector<int> samples_;  ///< of each sample, its plane; -1 for none
+  std::vector<int> samples_;  ///< the index of each sample's plane; -1 for none
   std::vector<SeenPlane> planes_;
 };
 
-/// The samples' places on each of the faces; a sample's index is its pixel's times kSampleCount and
-/// its own.
+/// The samples' places on each of the faces; a sample's index is its pixel's index times
+/// kSampleCount plus its number in the pixel.
 std::vector<std::vector<PlacedRay>> samplesOf(const LensMap& lens,
                                               const std::vector<cv::Point>& pixels) {
   std::vector<std::vector<PlacedRay>> rays(lens.faces.size());
@@ -150,7 +150,8 @@ RaySamples::RaySamples(const DrawList& draw_list, const EdgeScene& scene, const 
       });
 }
 
-/// Finds the light of what samples see, at pixels whose centres see the same surface.
+/// Finds the light of what samples see, by taking it from pixels whose centres see the same
+/// surface.
 class LensResolver {
  public:
   LensResolver(const PictureSamples& seen, const cv::Mat& rays) : seen_(seen), rays_(rays) {}
@@ -177,14 +178,14 @@ class LensResolver {
   }
 
  private:
-  /// How little a pixel looks like a plane.
+  /// How much what a pixel shows differs from a plane.
   [[nodiscard]] float unlikeness(const cv::Point& at, const SeenPlane* plane) const {
     const int item = seen_.geometry.items.at<int>(at);
     if (plane == nullptr) return item == 0 ? 0.0F : likeness::kUnlike;
     if (item != plane->item) return likeness::kUnlike;
     const auto* bits = seen_.geometry.normals.ptr<std::uint16_t>(at.y, at.x);
     const Eigen::Vector3f normal(fromHalf(bits[0]), fromHalf(bits[1]), fromHalf(bits[2]));
-    // Vertices' normals may point inwards, all of a mesh's alike.
+    // The vertices' normals may point inwards, consistently for a whole mesh.
     const float turned = 1.0F - std::abs(normal.dot(plane->normal));
     const Eigen::Vector3f ray(rays_.at<cv::Vec3f>(at + seen_.place.tl()).val);
     const float off = std::abs(plane->inverse.dot(ray) * seen_.geometry.depth.at<float>(at) - 1.0F);

@@ -11,9 +11,9 @@
 
 namespace synthetic_dataset::render {
 
-/// Smooths the edges of a picture through a lens, as EdgeSmoother does those of a pinhole's.
-/// @param seen  depths are distances along rays
-/// @param edges  the pixels that are by an edge
+/// Smooths the edges of a picture through a lens, as EdgeSmoother does for a pinhole camera.
+/// @param seen  its depths are distances along rays
+/// @param edges  the pixels at an edge
 /// @param picture  CV_8UC3, blue, green, red, sRGB-encoded, whole
 void smoothEdges(const DrawList& draw_list, const EdgeScene& scene, const LensSight& sight,
                  const PictureSamples& seen, const EdgePixels& edges, cv::Mat& picture);

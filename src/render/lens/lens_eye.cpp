@@ -18,9 +18,9 @@ std::vector<Eigen::Matrix4d> matricesOf(const std::vector<Pose>& poses) {
   return matrices;
 }
 
-/// Puts what the rays of a face see beyond the triangles that are known into pixels.
-/// @param rays  the pixels, as they are in the face's grid
-/// @param known  the number of these triangles
+/// Fills in the pixels of a face whose rays see triangles that are not yet known.
+/// @param rays  the pixels, in the order of the face's grid
+/// @param known  the number of known triangles, which come first in sight.seen
 void fillPixels(const std::vector<int>& rays, const std::vector<int>& seen, std::size_t known,
                 LensSight& sight) {
   const auto* directions = sight.lens->rays.ptr<cv::Vec3f>();
@@ -39,7 +39,7 @@ void fillPixels(const std::vector<int>& rays, const std::vector<int>& seen, std:
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (seen[i] < static_cast<int>(known)) continue;
     const SeenTriangle& triangle = sight.seen[static_cast<std::size_t>(seen[i])];
-    // A triangle is in one row alone then, and its pixels are side by side.
+    // Each entry of sight.seen is then of one row only, and its pixels are contiguous.
     if (in_rows && seen[i] != last) corners.front() = sight.cornersOf(triangle);
     last = seen[i];
     const auto pixel = static_cast<std::size_t>(rays[i]);
@@ -59,8 +59,8 @@ std::shared_ptr<LensSight> copyOf(const LensSight& sight) {
   return copy;
 }
 
-/// Rays see what they saw when they were in another order.
-/// @param from  of these grids, in the order of cells
+/// Copies what the rays see from the order of cells to that of rows.
+/// @param from  in the order of `cells`
 void takeOver(const RaySights& from, const std::vector<RayGrid>& cells,
               const std::vector<RowRayGrid>& rows, RaySights& to) {
   to.seen = from.seen;
@@ -122,12 +122,12 @@ std::vector<Pose> LensEye::posesOfItems(const Pose& X_CW, const std::vector<Pose
   return X_CV;
 }
 
-/// Looks from several views that come back are kept, as long as there is room, and those from the
-/// last of the others.
+/// Keeps looks from several recurring views, as long as there is room, and from the last one of the
+/// other views.
 void LensEye::makeRoomFor(const View& view, bool comes_back) {
   constexpr std::size_t kPixelBytes = 20;  // without triangles
   const auto pixels = static_cast<std::size_t>(view.camera.width() * view.camera.height());
-  const std::size_t most = RecentViews::mostOf(kPixelBytes * pixels);
+  const std::size_t most = RecentViews::maxKept(kPixelBytes * pixels);
   const auto isLeftOver = [&](const Standing& each) {
     return !comes_back && !each.comes_back && each.X_WC != view.X_WC.matrix();
   };

@@ -15,23 +15,23 @@
 
 namespace synthetic_dataset::render {
 
-/// Whether what one can see through is looked at, or through.
+/// Whether see-through surfaces are seen, or what is behind them.
 enum class Glass { kSeen, kSeenThrough };
 
-/// Looks at the items through lenses with distortion, without OpenGL. What never moves is looked at
-/// once from each place.
+/// Looks at the items through lenses with distortion, without OpenGL. Items that never move are
+/// looked at only once from each pose.
 class LensEye {
  public:
   /// The references have to outlive this.
-  /// @param keeps  whether anything is kept from look to look
+  /// @param keeps  whether results are kept from look to look
   LensEye(const DrawList& draw_list, LensLibrary& lenses, bool keeps);
 
-  /// What each pixel's ray sees. With Glass::kSeen, that is what labels show.
+  /// Finds what each pixel's ray sees. With Glass::kSeen, that is what labels show.
   [[nodiscard]] std::shared_ptr<const LensSight> look(const View& view,
                                                       const std::vector<Pose>& X_WL,
                                                       const LinkSelection& drawn, Glass glass);
 
-  /// The same of a picture whose rows are taken one after the other.
+  /// Finds what is seen in a picture whose rows are taken one after the other.
   [[nodiscard]] std::shared_ptr<const LensSight> look(const RollingView& rolling,
                                                       const LinkSelection& drawn, Glass glass);
 
@@ -39,12 +39,12 @@ class LensEye {
   [[nodiscard]] cv::Mat covered(const View& view, const std::vector<Pose>& X_WL,
                                 const std::vector<const DrawItem*>& covering);
 
-  /// The same of a picture whose rows are taken one after the other.
-  /// @param poses  of `rows`, of the items' links at least
+  /// The covered pixels of a picture whose rows are taken one after the other.
+  /// @param poses  of `rows`, for at least the items' links
   [[nodiscard]] cv::Mat covered(const RollingView& rows, const RowPoses& poses,
                                 const std::vector<const DrawItem*>& covering);
 
-  /// Everything looks different now.
+  /// Forgets everything that is kept, as the look has changed.
   void forget();
 
  private:
@@ -53,7 +53,7 @@ class LensEye {
     std::shared_ptr<const LensMap> lens;
     Eigen::Matrix4d X_WC;
     LinkSelection drawn;
-    bool comes_back;  ///< the view does
+    bool comes_back;  ///< whether the view recurs
     RaySights sights;
     LensSight sight;
   };
@@ -66,11 +66,11 @@ class LensEye {
     std::shared_ptr<const LensSight> sight;
   };
 
-  /// The last look of which each row is of its own time.
+  /// The last look whose rows have times of their own.
   struct LastInRows {
     std::shared_ptr<const LensMap> lens;
     std::vector<double> rows;
-    std::vector<Eigen::Matrix4d> poses;  ///< at each of these, the camera's and the links'
+    std::vector<Eigen::Matrix4d> poses;  ///< at each of `rows`, the camera's and the links'
     LinkSelection drawn;
     Glass glass;
     std::shared_ptr<const LensSight> sight;
@@ -100,12 +100,12 @@ class LensEye {
   LensLibrary& lenses_;
   bool keeps_;
   PyramidLibrary pyramids_;
-  std::shared_ptr<const std::vector<ItemSurface>> surfaces_;  ///< null until they are asked for
-  std::deque<Standing> standing_;                             ///< the last used first
-  RecentViews recent_;                                        ///< that were not found in standing_
+  std::shared_ptr<const std::vector<ItemSurface>> surfaces_;  ///< null until needed
+  std::deque<Standing> standing_;                             ///< the most recently used first
+  RecentViews recent_;  ///< views that were not found in standing_
   std::optional<Last> last_;
   std::optional<LastInRows> last_in_rows_;
-  RowGrids row_grids_;  ///< of the lens that was used last
+  RowGrids row_grids_;  ///< of the most recently used lens
 };
 
 }  // namespace synthetic_dataset::render

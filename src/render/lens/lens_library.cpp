@@ -5,7 +5,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// All that tells one camera's pictures from another's but the focal lengths.
+/// Everything that distinguishes one camera's pictures from another's, except the focal lengths.
 std::vector<double> keyOf(const CameraModel& camera) {
   const Intrinsics& k = camera.intrinsics();
   const Distortion& distortion = camera.distortion();

@@ -9,14 +9,14 @@
 
 namespace synthetic_dataset::render {
 
-/// Makes each camera's LensMap once, as long as its focal lengths stay what they are.
+/// Makes each camera's LensMap once, as long as its focal lengths do not change.
 class LensLibrary {
  public:
-  /// Limit of kept maps of one lens that differ in their focal lengths alone: those that were
-  /// asked for last.
+  /// The maximum number of maps that are kept per lens and differ only in their focal lengths: the
+  /// most recently used ones.
   static constexpr std::size_t kMostZooms = 4;
 
-  /// Good as long as somebody holds it.
+  /// The map is valid as long as the pointer is held.
   [[nodiscard]] std::shared_ptr<const LensMap> get(const CameraModel& camera);
 
  private:
@@ -26,7 +26,7 @@ class LensLibrary {
     std::shared_ptr<const LensMap> map;
   };
 
-  /// By all that tells one lens's pictures from another's but their focal lengths.
+  /// By everything that distinguishes one lens's pictures from another's except focal lengths.
   std::map<std::vector<double>, std::deque<Zoom>> lenses_;
 };
 

@@ -14,15 +14,16 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Beyond this angle from the axis one plane gets too large, and the sides of a cube are drawn.
+/// If rays are farther from the axis than this, one plane gets too large, and the sides of a cube
+/// are drawn.
 constexpr double kWidestFace = 1.05;  // [rad]
 
-constexpr double kDensity = 2.0;    // face pixels in a row for a pixel of the picture
+constexpr double kDensity = 2.0;    // face pixels per pixel of the picture, in each direction
 constexpr double kFinest = 4.0;     // at most this many times the lens's focal length
-constexpr int kFilterMargin = 8;    // [px] drawn beyond what is looked at, for filters
+constexpr int kFilterMargin = 8;    // [px] drawn beyond what the pixels look at, for filters
 constexpr int kLargestTile = 4096;  // [px]
 
-/// A plane that is drawn, and which of its places the picture's pixels look at.
+/// A plane that is drawn, and the part of it that the picture's pixels look at.
 struct Plane {
   Pose X_CF = Pose::Identity();
   double left = std::numeric_limits<double>::infinity();  // at z = 1
@@ -30,17 +31,17 @@ struct Plane {
   double right = -std::numeric_limits<double>::infinity();
   double bottom = -std::numeric_limits<double>::infinity();
   double least_area = std::numeric_limits<double>::infinity();  // of a pixel, at z = 1
-  double least_cosine = 1.0;                                    // of a ray with the plane's axis
+  double least_cosine = 1.0;  // of the angle between a ray and the plane's axis
 
   [[nodiscard]] bool used() const { return left <= right; }
 };
 
-/// Directions as vectors; the plane that each belongs to is chosen by its largest coordinate.
+/// A direction as an Eigen vector.
 Eigen::Vector3d vectorOf(const cv::Vec3f& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// The sides of a cube: ahead, right, left, below, above, behind.
+/// The sides of a cube: front, right, left, bottom, top, back.
 std::vector<Plane> cubePlanes() {
   std::vector<Plane> planes(6);
   const std::array<std::array<int, 9>, 6> axes = {{
@@ -70,12 +71,12 @@ int cubeSide(const cv::Vec3f& ray) {
   return ray[1] > 0.0F ? 3 : 4;
 }
 
-/// Each pixel's direction, and 0 or -1 in `face`.
+/// A map with each pixel's direction, and with 0 or -1 (the lens sees nothing) in `face`.
 LensMap lookAlongRays(const CameraModel& camera) {
   LensMap map;
   map.rays = cv::Mat::zeros(camera.height(), camera.width(), CV_32FC3);
   map.face = cv::Mat(camera.height(), camera.width(), CV_16SC1, cv::Scalar(-1));
-  // Rows are worked on side by side; no two calls share a pixel.
+  // Rows are processed in parallel; no two calls share a pixel.
   cv::parallel_for_(cv::Range(0, camera.height()), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) {
       for (int u = 0; u < camera.width(); ++u) {
@@ -101,13 +102,14 @@ bool fitsOnePlane(const LensMap& map) {
   return true;
 }
 
-/// Where the ray meets the plane.
+/// The point, at z = 1, where the ray meets the plane.
 Eigen::Vector2d meet(const Plane& plane, const cv::Vec3f& ray) {
   const Eigen::Vector3d d = plane.X_CF.linear().transpose() * vectorOf(ray);
   return d.head<2>() / d.z();
 }
 
-/// A step of a pixel on the plane, to or from its neighbour; nothing where it has none.
+/// The step on the plane from a pixel to the next one, or from the previous one to it; nothing if
+/// it has neither.
 std::optional<Eigen::Vector2d> stepOn(const Plane& plane, const LensMap& map, int u, int v, int du,
                                       int dv) {
   const int side = neighbourSide(map, plane.X_CF, u, v, du, dv);
@@ -116,7 +118,7 @@ std::optional<Eigen::Vector2d> stepOn(const Plane& plane, const LensMap& map, in
          meet(plane, map.rays.at<cv::Vec3f>(v, u));
 }
 
-/// A pixel's area at z = 1; in an image of one row or column, as if it were square.
+/// A pixel's area at z = 1; in an image of one row or column, the pixel is taken to be square.
 double areaOn(const Plane& plane, const LensMap& map, int u, int v) {
   const auto across = stepOn(plane, map, u, v, 1, 0);
   const auto along = stepOn(plane, map, u, v, 0, 1);
@@ -125,7 +127,7 @@ double areaOn(const Plane& plane, const LensMap& map, int u, int v) {
   return along ? along->squaredNorm() : std::numeric_limits<double>::infinity();
 }
 
-/// Takes note of what the pixel needs of its plane.
+/// Extends the used part of a plane, and its limits, by a pixel.
 void measure(const LensMap& map, int u, int v, Plane& plane) {
   const cv::Vec3f& ray = map.rays.at<cv::Vec3f>(v, u);
   const Eigen::Vector2d place = meet(plane, ray);
@@ -145,10 +147,10 @@ double focalLengthOf(const Plane& plane, const CameraModel& camera) {
   return std::clamp(kDensity / std::sqrt(plane.least_area), coarsest, finest);
 }
 
-/// How a plane's used part is cut: pixel rows or columns of equal tiles.
+/// How a plane's used part is cut, in one direction, into tiles of equal length [px].
 struct Cut {
   int count = 1;
-  int first = 0;   ///< the first tile's first pixel, from the plane's axis
+  int first = 0;   ///< the first tile's first pixel, counted from the plane's axis
   int length = 1;  ///< of each tile, without its margins
 
   [[nodiscard]] int tileOf(double place) const {
@@ -166,7 +168,7 @@ Cut cutInto(double low, double high) {
   return cut;
 }
 
-/// The tiles of a plane, and where in the list of faces they begin.
+/// The tiles of a plane, and the index in the list of faces at which they begin.
 struct Tiles {
   double focal_length = 1.0;
   Cut across;
@@ -174,20 +176,21 @@ struct Tiles {
   int first_face = 0;
 };
 
-/// Whether the lens sees from the face's own near plane on.
+/// Whether the lens's view begins exactly at the face's own near plane.
 bool sharesNearPlane(const Plane& plane, const CameraModel& camera) {
   return camera.hasNearPlane() && plane.X_CF.linear().isIdentity();
 }
 
-/// Nothing that the lens shows is cut off by a face's near plane: where the lens measures distance,
-/// or its near plane is turned, the face's plane comes nearer.
+/// The depth of a face's near plane, chosen so that it cuts off nothing that the lens shows: if the
+/// lens's limit is a distance, or its near plane is turned relative to the face, the face's plane
+/// moves nearer.
 double nearOf(const Plane& plane, const CameraModel& camera) {
   constexpr double kSlack = 0.98;  // for the margins
   return sharesNearPlane(plane, camera) ? camera.near()
                                         : camera.near() * plane.least_cosine * kSlack;
 }
 
-/// What a plane that comes nearer has to leave out.
+/// The limit in front of which nothing may be drawn when the near plane has been moved nearer.
 std::optional<NearLimit> nearLimitOf(const Plane& plane, const CameraModel& camera) {
   if (sharesNearPlane(plane, camera)) return std::nullopt;
   if (!camera.hasNearPlane()) return NearLimit{Eigen::Vector3d::Zero(), camera.near()};
@@ -251,7 +254,8 @@ bool hasDistortion(const CameraModel& camera) {
 }
 
 int neighbourSide(const LensMap& map, const Pose& X_CF, int u, int v, int du, int dv) {
-  // A plane is looked at up to a cosine of 0.58; much beyond, its places tell nothing of the pixel.
+  // Pixels look at a plane down to a cosine of 0.58; much below, places on it say nothing about the
+  // pixel.
   constexpr double kLeastCosine = 0.25;
   const cv::Rect image(cv::Point(), map.face.size());
   for (const int side : {1, -1}) {

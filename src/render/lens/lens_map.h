@@ -12,26 +12,26 @@ namespace synthetic_dataset::render {
 /// A pinhole picture of a part of what a lens sees.
 struct LensFace {
   CameraModel camera;
-  Pose X_CF = Pose::Identity();  ///< of the face's optical frame in the lens's; turned alone
+  Pose X_CF = Pose::Identity();  ///< of the face's optical frame in the lens's; a pure rotation
   std::optional<NearLimit> near_limit = std::nullopt;  ///< in the face's frame
 };
 
-/// How a picture through a lens with distortion is put together from pinhole pictures.
+/// How a picture through a lens with distortion is assembled from pinhole pictures.
 ///
-/// A lens with a narrow field of view has one face, which looks where the lens does; a wide one has
-/// those sides of a cube that it sees. The faces have some four pixels for each of the picture's
-/// where these lie closest together. Large faces are cut into tiles.
+/// A lens with a narrow field of view has one face, which looks in the lens's direction; a wide one
+/// has those sides of a cube that it sees. The faces have about four pixels for each of the
+/// picture's where the latter lie closest together. Large faces are cut into tiles.
 struct LensMap {
   std::vector<LensFace> faces;
   cv::Mat rays;  ///< CV_32FC3: the unit vector that each pixel's centre looks along (C)
   cv::Mat face;  ///< CV_16SC1: the pixel's index in `faces`; -1 where the lens sees nothing
 
-  /// Whether it is a pinhole, whose other pictures are OpenGL's: textures are then looked up as
-  /// OpenGL does.
+  /// Whether this is a pinhole camera, for which OpenGL draws the other pictures: textures are then
+  /// looked up as OpenGL does.
   bool is_pinhole = false;
 
-  /// The pixels that look at each face, as indices of an image that is gone through row by
-  /// row; about one in a cell where they lie closest together.
+  /// The pixels that look at each face, as row-major indices of the image; about one in a cell
+  /// where they lie closest together.
   std::vector<RayGrid> grids;
 };
 
@@ -43,7 +43,7 @@ struct LensMap {
 /// The intrinsics of a face in cells of LensMap::grids.
 [[nodiscard]] Intrinsics intrinsicsInCells(const LensFace& face);
 
-/// Where rays of the lens's frame meet a face, in cells of LensMap::grids.
+/// Computes where rays of the lens's frame meet a face, in cells of LensMap::grids.
 class FacePlane {
  public:
   explicit FacePlane(const LensFace& face)
@@ -60,7 +60,7 @@ class FacePlane {
   Intrinsics k_;
 };
 
-/// Where a direction of the lens's frame falls on a face [px].
+/// The place on a face [px] at which a ray of the lens's frame meets it.
 [[nodiscard]] inline cv::Point2f placeOn(const LensFace& face, const cv::Vec3f& ray_C) {
   const auto& R = face.X_CF.linear();
   const Eigen::Vector3d d =
@@ -71,11 +71,11 @@ class FacePlane {
           static_cast<float>(k.fy * d.y() / d.z() + k.cy)};
 }
 
-/// On which side of a pixel to look for its neighbour: 1 where that looks at the plane too; -1
-/// where only the one on the other side does, as at the image's or the lens's rim; 0 where neither
-/// does.
-/// @param X_CF  of the plane, whose axis is z
-/// @param du  1 for the neighbour in the row, and `dv` 0; or the other way round
+/// On which side of a pixel to look for its neighbour: 1 if the neighbour there looks at the plane
+/// too; -1 if only the one on the other side does, as at the image's or the lens's rim; 0 if
+/// neither does.
+/// @param X_CF  of the plane, whose normal is its z axis
+/// @param du  1 (with `dv` 0) for the neighbour in the row, 0 (with `dv` 1) for that in the column
 [[nodiscard]] int neighbourSide(const LensMap& map, const Pose& X_CF, int u, int v, int du, int dv);
 
 }  // namespace synthetic_dataset::render

@@ -11,8 +11,8 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Calls work(u, v) for each pixel of a region that looks at the face. Rows are worked on side by
-/// side; no two calls share a pixel.
+/// Calls work(u, v) for each pixel of a region that looks at the face. Rows are processed in
+/// parallel; no two calls share a pixel.
 template <class Work>
 void forEachPixel(const LensMap& map, std::size_t face, const cv::Rect& region, const Work& work) {
   const auto wanted = static_cast<std::int16_t>(face);
@@ -26,8 +26,8 @@ void forEachPixel(const LensMap& map, std::size_t face, const cv::Rect& region, 
   });
 }
 
-/// How far on the face one step of a pixel leads, to the pixel's neighbour on one side or, at the
-/// lens's rim, on the other.
+/// The step on the face from a pixel to the next one or, at the lens's rim, from the previous one
+/// to it.
 cv::Point2f stepOf(const LensMap& map, const LensFace& face, int u, int v, int du, int dv) {
   const int side = neighbourSide(map, face.X_CF, u, v, du, dv);
   const cv::Point2f here = placeOn(face, map.rays.at<cv::Vec3f>(v, u));
@@ -35,7 +35,7 @@ cv::Point2f stepOf(const LensMap& map, const LensFace& face, int u, int v, int d
   return static_cast<float>(side) * (there - here);
 }
 
-/// Light between pixels, mixed of the four around the place.
+/// The light at a place between pixels, interpolated bilinearly from the four around it.
 cv::Vec3f lightAt(const cv::Mat& drawn, cv::Point2f place) {
   const auto& linear = render::linearFromSrgb();
   const float x = std::clamp(place.x, 0.0F, static_cast<float>(drawn.cols - 1));
@@ -92,7 +92,7 @@ void resampleSmooth(const LensMap& map, std::size_t face, const cv::Mat& drawn,
     const cv::Point2f place = placeOn(f, map.rays.at<cv::Vec3f>(v, u));
     const cv::Point2f right = stepOf(map, f, u, v, 1, 0);
     const cv::Point2f down = stepOf(map, f, u, v, 0, 1);
-    // Enough places in each direction that they lie about a face's pixel apart.
+    // Enough places in each direction that they are about one face pixel apart.
     const auto taps = [&](cv::Point2f step) {
       return static_cast<int>(std::clamp(std::round(std::hypot(step.x, step.y)), 1.0F, kMostTaps));
     };

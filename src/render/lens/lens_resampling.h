@@ -6,17 +6,17 @@
 
 namespace synthetic_dataset::render {
 
-/// The part of a face at which the pixels of a region look, with room for filters; empty where none
-/// of them looks at it.
+/// The part of a face at which the pixels of a region look, with a margin for filters; empty if
+/// none of them looks at the face.
 [[nodiscard]] cv::Rect neededOf(const LensMap& map, std::size_t face, const cv::Rect& region);
 
-/// Puts the pixels of a region that look at a face into the picture: the mean light of what each of
-/// them covers.
+/// Fills in those pixels of a region that look at a face: each with the mean light of the area that
+/// it covers.
 /// @param drawn  the face's picture; sRGB-encoded, as is `picture` (both CV_8UC3)
 void resampleSmooth(const LensMap& map, std::size_t face, const cv::Mat& drawn,
                     const cv::Rect& region, cv::Mat& picture);
 
-/// The same, with the face's pixel that is nearest to each pixel's centre.
+/// Like resampleSmooth(), but takes the face's pixel that is nearest to each pixel's centre.
 void resampleCentres(const LensMap& map, std::size_t face, const cv::Mat& drawn,
                      const cv::Rect& region, cv::Mat& picture);
 

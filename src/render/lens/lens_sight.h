@@ -31,19 +31,20 @@ class FacedTriangle {
 
   [[nodiscard]] const std::array<Eigen::Vector3f, 3>& corners() const { return corners_; }
 
-  /// The shares of the corners where a ray meets its plane. Linear in the ray but for the sum.
+  /// The barycentric weights, up to their sum, of the point where a ray meets the triangle's plane;
+  /// linear in the ray.
   [[nodiscard]] Eigen::Vector3f weights(const Eigen::Vector3f& ray) const {
     return {sides_[0].dot(ray), sides_[1].dot(ray), sides_[2].dot(ray)};
   }
 
-  /// What each vertex has, mixed.
+  /// The vertices' values, interpolated.
   template <class Value>
   [[nodiscard]] Value mixed(const std::vector<Value>& values, const Eigen::Vector3f& shares) const {
     return shares[0] * values[vertices_[0]] + shares[1] * values[vertices_[1]] +
            shares[2] * values[vertices_[2]];
   }
 
-  /// The vertices' colours, mixed as shaders have them.
+  /// The vertices' colours, interpolated as in the shaders.
   [[nodiscard]] Eigen::Vector4f tint(const Eigen::Vector3f& shares) const {
     Eigen::Vector4f sum = Eigen::Vector4f::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -57,7 +58,7 @@ class FacedTriangle {
     return surface_->shape->texture_coordinates.size() == surface_->shape->positions.size();
   }
 
-  /// Texture coordinates of a vertex.
+  /// The texture coordinates of a vertex.
   [[nodiscard]] Eigen::Vector2f coordinates(std::size_t vertex) const {
     if (!hasCoordinates()) return surface_->offset;
     const Eigen::Vector2f& given = surface_->shape->texture_coordinates[vertices_[vertex]];
@@ -69,7 +70,8 @@ class FacedTriangle {
     Eigen::Vector2f place, across, along;
   };
 
-  /// @param across, along  from the ray to those of the pixels to the right and below
+  /// @param across, along  the differences between the ray and those of the pixels to the right and
+  ///   below
   [[nodiscard]] TexturePlace onTexture(const Eigen::Vector3f& ray, const Eigen::Vector3f& across,
                                        const Eigen::Vector3f& along) const {
     const Eigen::Vector3f here = weights(ray);
@@ -91,31 +93,31 @@ class FacedTriangle {
   std::array<Eigen::Vector3f, 3> sides_;  ///< normals of the planes through the origin
 };
 
-/// What the rays of a lens's pixels see: each its own, not a neighbour's.
+/// What the ray of each of a lens's pixels sees.
 struct LensSight {
   std::shared_ptr<const LensMap> lens;
-  cv::Mat items;      ///< CV_32SC1: the number of what is seen in the draw list, 0 for nothing
-  cv::Mat triangles;  ///< CV_32SC1: its index in `seen`, -1 for nothing
+  cv::Mat items;      ///< CV_32SC1: the draw list's number of the item that is seen, 0 for nothing
+  cv::Mat triangles;  ///< CV_32SC1: the triangle's index in `seen`, -1 for nothing
   cv::Mat distance;   ///< CV_32FC1: along the ray [m], 0 for nothing
   std::vector<SeenTriangle> seen;
   std::vector<Pose> X_CV;  ///< of each item, by its number
   std::shared_ptr<const std::vector<ItemSurface>> surfaces;
-  std::shared_ptr<const RowPoses> rows = nullptr;  ///< where rows are taken one after the other
+  std::shared_ptr<const RowPoses> rows = nullptr;  ///< set if rows are taken one after the other
 
-  /// X_CV of its item, at the time of its row where that has one.
+  /// X_CV of the triangle's item, at the time of its row if it has one.
   [[nodiscard]] Pose poseOf(const SeenTriangle& triangle) const;
 
   [[nodiscard]] std::array<Eigen::Vector3d, 3> cornersOf(const SeenTriangle& triangle) const;
   [[nodiscard]] FacedTriangle triangleAt(int index) const;
 };
 
-/// Whether items with holes have one where a ray meets them; textures are looked up as for pictures
-/// of the lens's faces.
+/// A function that says whether an item with holes has one where a ray meets it; textures are
+/// looked up as for pictures of the lens's faces.
 /// @param surfaces  by the items' numbers
 [[nodiscard]] RayRaster::IsHole holesIn(
     const DrawList& draw_list, const std::shared_ptr<const std::vector<ItemSurface>>& surfaces);
 
-/// Where a ray meets the triangle's plane: how far away, in the ray's length.
+/// The distance at which a ray meets the triangle's plane, in units of the ray's length.
 [[nodiscard]] double distanceTo(const std::array<Eigen::Vector3d, 3>& corners,
                                 const Eigen::Vector3d& ray);
 

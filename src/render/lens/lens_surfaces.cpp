@@ -12,7 +12,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// As in surface.glsl.
+/// The surface that a pixel sees, as in surface.glsl.
 struct LensSurface {
   Eigen::Vector3f face;
   Eigen::Vector3f normal;
@@ -22,16 +22,16 @@ struct LensSurface {
   float metalness = 0.0F;
 };
 
-/// A triangle that neighbouring pixels see.
+/// A triangle that several neighbouring pixels see.
 struct SeenByPixels {
   SeenByPixels(const LensSight& sight, int triangle)
       : index(triangle),
         is_front(sight.seen[static_cast<std::size_t>(triangle)].is_front),
-        surface(&(*sight.surfaces)[partOf(sight, triangle)]),
+        surface(&(*sight.surfaces)[itemOf(sight, triangle)]),
         R_CV(sight.poseOf(sight.seen[static_cast<std::size_t>(triangle)]).linear().cast<float>()),
         triangle_C(sight.triangleAt(triangle)) {}
 
-  static std::size_t partOf(const LensSight& sight, int triangle) {
+  static std::size_t itemOf(const LensSight& sight, int triangle) {
     return static_cast<std::size_t>(sight.seen[static_cast<std::size_t>(triangle)].item);
   }
 
@@ -42,7 +42,7 @@ struct SeenByPixels {
   FacedTriangle triangle_C;
 };
 
-/// The normal as the map bends it, as material.glsl has it.
+/// The normal as bent by the normal map, as in material.glsl.
 Eigen::Vector3f bentNormal(const SeenByPixels& seen, const Eigen::Vector3f& normal,
                            const FacedTriangle::TexturePlace& on) {
   const auto& corners = seen.triangle_C.corners();
@@ -66,7 +66,7 @@ Eigen::Vector3f bentNormal(const SeenByPixels& seen, const Eigen::Vector3f& norm
       .normalized();
 }
 
-/// Which pixels have the surfaces that StandingSurfaces have.
+/// Knows which pixels show the same surfaces as StandingSurfaces, and copies those.
 class KnownPixels {
  public:
   KnownPixels(const LensSight& sight, const StandingSurfaces& standing) : known_(standing) {
@@ -77,7 +77,7 @@ class KnownPixels {
     }
   }
 
-  /// Whether a pixel sees the same triangle as where nothing moves.
+  /// Whether a pixel sees the same triangle as with only the items that never move.
   [[nodiscard]] bool has(const LensSight& sight, int u, int v) const {
     if (known_.sight == nullptr) return false;
     const LensSight& alone = *known_.sight;
@@ -103,7 +103,7 @@ class KnownPixels {
 
  private:
   const StandingSurfaces& known_;
-  std::vector<bool> are_there_;  ///< of each item: whether it stands where it stood
+  std::vector<bool> are_there_;  ///< for each item: whether its pose is unchanged
 };
 
 /// How surfaces of a picture are looked up.
@@ -146,10 +146,10 @@ LensSurface lensSurfaceAt(const SeenByPixels& seen, const SurfaceLookup& lookup,
   return surface;
 }
 
-/// A row of an image of four numbers a pixel, which becomes one of numbers of 16 bits.
+/// A row of an image with four numbers per pixel, which is stored with 16 bits per number.
 class HalfRow {
  public:
-  /// @param image  CV_16UC4, or empty where it is not wanted
+  /// @param image  CV_16UC4, or empty if it is not wanted
   explicit HalfRow(const cv::Mat& image) : image_(image) {
     if (!image.empty()) numbers_ = cv::Mat::zeros(1, image.cols, CV_32FC4);
   }
@@ -172,7 +172,7 @@ class HalfRow {
   cv::Mat numbers_;
 };
 
-/// From a pixel's ray to that of its neighbour, or from the one on the other side at the rim.
+/// The difference from a pixel's ray to the next one or, at the rim, from the previous one to it.
 Eigen::Vector3f rayStepOf(const LensMap& lens, int u, int v, int du, int dv) {
   const cv::Rect image(cv::Point(), lens.face.size());
   const Eigen::Vector3f here(lens.rays.at<cv::Vec3f>(v, u).val);
@@ -185,7 +185,7 @@ Eigen::Vector3f rayStepOf(const LensMap& lens, int u, int v, int du, int dv) {
   return Eigen::Vector3f::Zero();
 }
 
-/// Finds some rows of surfacesOf().
+/// Computes some rows of surfacesOf().
 void findRows(const LensSight& sight, bool is_classic, const cv::Rect& place, const cv::Mat& wanted,
               const KnownPixels& known, const cv::Range& rows, const SurfaceImages& images) {
   HalfRow base_roughness(images.base_roughness);

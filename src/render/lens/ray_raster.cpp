@@ -34,11 +34,12 @@ class RayRaster::OnFace {
         near_(raster.lens_.faces[face].camera.near()),
         drawing_(raster.lens_.faces[face], rays_, item, raster.is_hole_) {}
 
-  /// Whether some of the item's bounds may be on the face.
+  /// Whether any part of the item's bounds may be seen on the face.
   [[nodiscard]] bool mayBeSeen() const {
     if (item_.bounds_V.isEmpty()) return false;
     const Intrinsics& k = grid_.intrinsics;
-    // Beside which planes through the camera's centre all corners are.
+    // Whether all corners are outside: nearer than the near plane, and beyond each side of the
+    // grid.
     std::array<bool, 5> beside = {true, true, true, true, true};
     Eigen::AlignedBox2d box;
     bool is_ahead = true;

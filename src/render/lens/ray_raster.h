@@ -17,15 +17,15 @@ namespace synthetic_dataset::render {
 /// A triangle that a ray sees.
 struct SeenTriangle {
   int item = 0;             ///< its number in the draw list
-  std::uint32_t first = 0;  ///< of its three indices, that of the first one in Mesh::indices
+  std::uint32_t first = 0;  ///< position in Mesh::indices of the first of its three indices
   bool is_front = true;
-  int row = -1;  ///< of the picture, at whose time it is seen; -1 where all rows have one time
+  int row = -1;  ///< of the picture, at whose time it is seen; -1 if all rows have the same time
 };
 
-/// What rays see so far.
+/// What rays see of the items drawn so far.
 struct RaySights {
   std::vector<std::vector<float>> inverse_depths;  ///< of each grid's rays, along the face's axis
-  std::vector<std::vector<int>> triangles;         ///< likewise, their index below; -1 for nothing
+  std::vector<std::vector<int>> triangles;  ///< the same rays' indices in `seen`; -1: nothing
   std::vector<SeenTriangle> seen;
 
   /// Starts with rays that see nothing.
@@ -36,8 +36,8 @@ struct RaySights {
   void add(const RayGrid& grid);
 };
 
-/// Finds exactly what rays through a lens see, by drawing triangles on the lens's faces for these
-/// rays' places alone.
+/// Finds exactly what rays through a lens see, by drawing triangles on the lens's faces at the
+/// places of these rays only.
 class RayRaster {
  public:
   /// A ray's place on a triangle of an item, to look up holes in its texture.
@@ -51,15 +51,16 @@ class RayRaster {
 
   /// The references have to outlive this.
   /// @param grids  of each of the lens's faces
-  /// @param is_hole  of items with holes, whether one is there
+  /// @param is_hole  whether an item with holes has one at a place
   RayRaster(const View& view, const LensMap& lens, const std::vector<RayGrid>& grids,
             const IsHole& is_hole)
       : view_(view), lens_(lens), grids_(grids), is_hole_(is_hole) {}
 
-  /// Draws an item over what was drawn before.
+  /// Draws an item; rays then see whatever is nearer, it or what was drawn before.
   void draw(const DrawItem& item, int number, const Pose& X_WL, RaySights& sights) const;
 
-  /// Calls visit(index) for each ray that would see the item if it were alone; maybe several times.
+  /// Calls visit(index), possibly several times, for each ray that would see the item if there were
+  /// no others.
   void visitCovered(const DrawItem& item, const Pose& X_WL,
                     const std::function<void(int ray)>& visit) const;
 

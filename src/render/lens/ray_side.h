@@ -6,7 +6,8 @@
 
 namespace synthetic_dataset::render {
 
-/// One side of a triangle that turns right-handed in the image (whose v goes down).
+/// One side of a triangle whose corners are in right-handed order in the image (where v points
+/// down).
 class RaySide {
  public:
   RaySide(const Eigen::Vector2f& from, const Eigen::Vector2f& to) {

@@ -8,11 +8,11 @@
 
 namespace synthetic_dataset::render {
 
-/// Where the camera has links when each row of a picture is taken.
+/// The poses of links in the camera's frame when each row of a picture is taken.
 class RowPoses {
  public:
-  /// @param draw_list  has to outlive this
-  /// @param drawn  the links that are asked for
+  /// @param draw_list  has to outlive this object
+  /// @param drawn  the links whose poses are needed
   RowPoses(const RollingView& view, const DrawList& draw_list, const LinkSelection& drawn);
 
   [[nodiscard]] bool cameraStands() const { return camera_stands_; }
@@ -32,7 +32,7 @@ class RowPoses {
   const DrawList& draw_list_;
   int row_count_;
   bool camera_stands_;
-  std::vector<std::vector<Pose>> X_CL_;  ///< of each link: of each row, or one for all
+  std::vector<std::vector<Pose>> X_CL_;  ///< for each link: one per row, or one for all rows
 };
 
 }  // namespace synthetic_dataset::render

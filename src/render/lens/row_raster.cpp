@@ -23,7 +23,8 @@ class RowRays {
 
   [[nodiscard]] const RayGrid& grid() const { return grid_; }
 
-  /// Calls visit(first of four rays, how many of them) for all that the triangle may cover.
+  /// Calls visit(first of four rays, how many of them) until all rays that the triangle may cover
+  /// are visited.
   template <class Visit>
   void visit(const FaceTriangle& triangle, const Visit& visit) const {
     const auto begin = grid_.columns.begin();
@@ -42,7 +43,7 @@ class RowRays {
   std::size_t row_ = 0;
 };
 
-/// Passes on which rays an item covers.
+/// Passes on the rays that an item covers.
 struct CoveredRays {
   const std::vector<int>& rays;
   bool has_holes;
@@ -60,8 +61,8 @@ struct CoveredRays {
   }
 };
 
-/// How far points within some bounds are at most from the straight ways between where they are at
-/// the first and at the last of some poses.
+/// The farthest that points within some bounds get, at any of the poses, from the straight line
+/// between where they are at the first and at the last pose.
 double farthestFromLine(const Bounds& bounds, const std::vector<Pose>& poses) {
   const Eigen::Vector3d middle = bounds.center();
   const double radius = 0.5 * bounds.sizes().norm();
@@ -80,10 +81,10 @@ double farthestFromLine(const Bounds& bounds, const std::vector<Pose>& poses) {
 
 }  // namespace
 
-/// Draws an item on a face, some rows after the other.
+/// Draws an item on a face, one group of rows after the other.
 ///
-/// Where a vertex is at the times of the first and the last of them says which rows a triangle may
-/// be seen in; in each of these it is drawn where it is then.
+/// The places of its vertices at the times of the first and the last row of the group determine in
+/// which rows a triangle may be seen; in each of these rows it is drawn where it is at that time.
 class RowRaster::OnRows {
  public:
   OnRows(const RowRaster& raster, std::size_t face, const DrawItem& item, int number)
@@ -110,8 +111,8 @@ class RowRaster::OnRows {
   /// A vertex at the times of the first and the last row.
   struct Way {
     float left, top, right, bottom;
-    int kept;          ///< how many of both are before the near plane
-    bool may_be_seen;  ///< at some of the times
+    int kept;          ///< at how many of both times it is beyond the near plane
+    bool may_be_seen;  ///< at one of the two times or between them
   };
 
   void takeRows(int first, int end) {
@@ -125,7 +126,7 @@ class RowRaster::OnRows {
     for (int row = first; row < end; ++row) X_FV_.push_back(X_FC_ * poses_.X_CV(number_, row));
   }
 
-  /// Whether some of the item's bounds may be on these rows; finds how far ways may bend, too.
+  /// Whether any part of the item's bounds may be seen in these rows; also sets bend_ and margin_.
   [[nodiscard]] bool mayBeSeen() {
     if (item_.bounds_V.isEmpty()) return false;
     const Intrinsics& k = rows_.grid.intrinsics;
@@ -232,11 +233,11 @@ class RowRaster::OnRows {
   double near_;
   FaceDrawing<RowRays> drawing_;
 
-  // The rows that are drawn.
+  // The group of rows that is being drawn.
   int first_row_ = 0;
   RowRayGrid::Bounds bounds_{};
-  std::vector<Pose> X_FV_;  ///< of each
-  double bend_ = 0.0;       ///< how far ways are at most from lines [m]
+  std::vector<Pose> X_FV_;  ///< of each row
+  double bend_ = 0.0;       ///< how far vertices' paths are at most from straight lines [m]
   float margin_ = 0.0F;     ///< the same in the picture [cell]
   std::vector<Way> ways_;
 };

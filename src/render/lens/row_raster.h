@@ -11,21 +11,22 @@
 
 namespace synthetic_dataset::render {
 
-/// Finds exactly what the rays of a picture see whose rows are taken one after the other: each ray
+/// Finds exactly what the rays see in a picture whose rows are taken one after the other: each ray
 /// meets triangles where they are at the time of its own row.
 class RowRaster {
  public:
   /// The references have to outlive this.
   /// @param grids  of each of the lens's faces
-  /// @param is_hole  of items with holes, whether one is there
+  /// @param is_hole  whether an item with holes has one at a place
   RowRaster(const RowPoses& poses, const LensMap& lens, const std::vector<RowRayGrid>& grids,
             const RayRaster::IsHole& is_hole)
       : poses_(poses), lens_(lens), grids_(grids), is_hole_(is_hole) {}
 
-  /// Draws an item over what was drawn before, as RayRaster does.
+  /// Draws an item, as RayRaster does.
   void draw(const DrawItem& item, int number, RaySights& sights) const;
 
-  /// Calls visit(index) for each ray that would see the item if it were alone; maybe several times.
+  /// Calls visit(index), possibly several times, for each ray that would see the item if there were
+  /// no others.
   void visitCovered(const DrawItem& item, int number,
                     const std::function<void(int ray)>& visit) const;
 

@@ -18,17 +18,17 @@ namespace {
 
 constexpr float kRadius = 0.4F;  // [m]
 constexpr int kSteps = 8;        // to each side
-constexpr int kPattern = 4;      // pixels of a square's side that differ in their directions
-constexpr float kFarthestShare = 1.0F / 10.0F;  // of the picture's longer side: no way is longer
-constexpr float kFading = 0.615F;               // of the radius, over which what is far away fades
-constexpr float kFlat = 0.02F;  // the sine of the angle over a surface up to which it is flat
+constexpr int kPattern = 4;      // pixels along the side of a square in which all directions differ
+constexpr float kFarthestShare = 1.0F / 10.0F;  // of the picture's longer side: the longest search
+constexpr float kFading = 0.615F;  // of the radius: the outer part, over which occlusion fades out
+constexpr float kFlat = 0.02F;     // the sine of the angle up to which a surface counts as flat
 constexpr int kOccluderMargin = OccluderDepths::kMargin;
 
 float farthest(const cv::Size& image) {
   return std::max(4.0F, kFarthestShare * static_cast<float>(std::max(image.width, image.height)));
 }
 
-/// The angle whose cosine each is, to 7e-5 (Abramowitz and Stegun 4.4.45).
+/// The arc cosine of each, with an error of 7e-5 (Abramowitz and Stegun 4.4.45).
 Lanes arcCosine(const Lanes& cosine) {
   const Lanes x = cv::v_min(cv::v_abs(cosine), lanes(1.0F));
   const Lanes sum = ((lanes(-0.0187293F) * x + lanes(0.0742610F)) * x - lanes(0.2121144F)) * x +
@@ -37,10 +37,10 @@ Lanes arcCosine(const Lanes& cosine) {
   return cv::v_select(cosine < lanes(0.0F), lanes(static_cast<float>(M_PI)) - angle, angle);
 }
 
-/// The direction of the slice of each pixel of a square, and how far out its steps begin.
+/// For each pixel of a square, the direction of its slice, and how far out its steps begin.
 struct Pattern {
   Pattern() {
-    // A square of which each row and column has numbers from all of the range.
+    // A square in which each row and column has numbers from the whole range.
     constexpr std::array<int, 16> kOrder = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
     for (std::size_t i = 0; i < kOrder.size(); ++i) {
       const double angle = M_PI * (kOrder[i] + 0.5) / 16.0;
@@ -50,7 +50,7 @@ struct Pattern {
     }
   }
 
-  /// Four pixels in a row of the picture.
+  /// The values of four adjacent pixels in a row of the picture.
   /// @param values  of a square, row by row
   [[nodiscard]] static Lanes four(const std::array<float, 16>& values, int u, int v) {
     const std::size_t row = std::size_t{kPattern} * (static_cast<unsigned>(v) % kPattern);
@@ -71,9 +71,9 @@ const Pattern& pattern() {
   return kThePattern;
 }
 
-/// Four surfaces, and how far around them occluders are looked for.
+/// Four surfaces, and how far around them occluders are searched for.
 struct FourSurfaces {
-  int u;  ///< of the first, in the picture
+  int u;  ///< of the first pixel, in the picture
   int v;
   Lanes3 ray;
   Lanes3 position;
@@ -91,8 +91,8 @@ struct Angle {
 
 /// The light that reaches surfaces in one slice, in any unit.
 struct Reaching {
-  Lanes open;   ///< past what is near
-  Lanes whole;  ///< if there were nothing
+  Lanes open;   ///< past occluders
+  Lanes whole;  ///< if there were no occluders
 };
 
 class HorizonFinder {
@@ -100,8 +100,8 @@ class HorizonFinder {
   HorizonFinder(const OccluderDepths& depths, const Intrinsics& k, const cv::Size& image)
       : depths_(depths), focal_(static_cast<float>(k.fx)), farthest_(farthest(image)) {}
 
-  /// What reaches four pixels in a row.
-  /// @param normals  of them, as numbers of 16 bits
+  /// The light that reaches four adjacent pixels in a row.
+  /// @param normals  of these pixels, as half floats
   [[nodiscard]] Reaching find(int u, int v, const std::uint16_t* normals) const {
     const Lanes depth = depths_.four(u, v);
     FourSurfaces four;
@@ -127,7 +127,7 @@ class HorizonFinder {
   [[nodiscard]] Reaching openIn(const FourSurfaces& four) const {
     const Direction direction{Pattern::four(pattern().x, four.u, four.v),
                               Pattern::four(pattern().y, four.u, four.v)};
-    // The slice is the plane of the eye's direction and this one.
+    // The slice is the plane that contains the direction to the eye and this one.
     const Lanes far = lanes(8.0F);  // [px]
     const Lanes3 way =
         depths_.wayTo(four.u, four.v, far * direction.x, far * direction.y, four.ray);
@@ -143,9 +143,9 @@ class HorizonFinder {
     return {size * light.open, size * light.whole};
   }
 
-  /// What comes from angles between the eye's direction and one to a side of it.
-  /// @param cosine  of that angle
-  /// @param normal  by how much it is turned to the side 1
+  /// The light from angles between the direction to the eye and one to a side of it.
+  /// @param cosine  of the angle between the two
+  /// @param normal  the angle by which the normal is turned towards side 1
   [[nodiscard]] static Lanes lightUpTo(const Lanes& cosine, float side, const Angle& normal) {
     const Lanes angle = lanes(side) * arcCosine(cosine);
     const Lanes sine =
@@ -156,8 +156,8 @@ class HorizonFinder {
     return lanes(0.25F) * (normal.cosine - twice + two * angle * normal.sine);
   }
 
-  /// On one side of the eye's direction, from the surface up: where something is seen above all
-  /// that was seen before, it hides the angles between.
+  /// Adds the light from one side of the direction to the eye. Starts at the surface: whatever is
+  /// seen above everything seen before hides the angles between them.
   void addSide(float side, const Direction& direction, const FourSurfaces& four,
                const Angle& normal, Reaching& light) const {
     Lanes horizon = lanes(-side) * normal.sine;
@@ -172,7 +172,7 @@ class HorizonFinder {
       const Lanes3 way = depths_.raysAt(pixels) * there - four.position;
       const Lanes distance = cv::v_max(length(way), lanes(1e-6F));
       const Lanes cosine = clamped(dot(way, four.to_eye) / distance, -1.0F, 1.0F);
-      // A plane's own pixels are not exactly in the slice.
+      // Ignores a plane's own pixels, which are not exactly in the slice.
       const Lanes is_above = dot(way, four.normal) > lanes(kFlat) * distance;
       const Lanes near =
           clamped((four.radius - distance) / (lanes(kFading) * four.radius), 0.0F, 1.0F);
@@ -191,7 +191,7 @@ class HorizonFinder {
   float farthest_;
 };
 
-/// What reaches all pixels of a place, and kOccluderMargin around it.
+/// The light that reaches all pixels of a place, and those within kOccluderMargin around it.
 class ReachingLight {
  public:
   explicit ReachingLight(const cv::Rect& place)
@@ -205,7 +205,7 @@ class ReachingLight {
     cv::v_store(at(whole_, u, v), four.whole);
   }
 
-  /// The share that reaches the pixels of a square which see the same surface.
+  /// The share of light that reaches those pixels of a square that see the same surface.
   [[nodiscard]] Lanes shareAt(int u, int v, const OccluderDepths& depths,
                               const std::uint16_t* normals) const {
     const Lanes3 position = depths.raysOfFour(u, v) * depths.four(u, v);
@@ -238,14 +238,14 @@ class ReachingLight {
   cv::Mat whole_;  ///< CV_32FC1
 };
 
-/// With columns enough for four pixels from each.
+/// The image with enough columns that four pixels can be read from any column.
 cv::Mat withLanes(const cv::Mat& image) {
   cv::Mat wide;
   cv::copyMakeBorder(image, wide, 0, 0, 0, kLaneCount, cv::BORDER_CONSTANT, cv::Scalar::all(0));
   return wide;
 }
 
-/// Does something for every four pixels of which one is not 0.
+/// Calls action(column, row) for every four pixels of which at least one is not 0.
 /// @param pixels  CV_8UC1, withLanes()
 template <class Action>
 void forEachFour(const cv::Mat& pixels, const Action& action) {
@@ -279,15 +279,15 @@ cv::Mat occlusionReaches(const Occluders& seen) {
                   cv::v_min(lanes(kRadius * focal) / distance, lanes(most)));
     }
   }
-  // Pixels share what those around them find.
+  // Pixels share the results of those around them.
   cv::Mat shared;
   const int square = 2 * kOcclusionSmoothing + 1;
   cv::dilate(reaches.colRange(0, seen.place.width), shared, cv::Mat::ones(square, square, CV_8UC1));
   return shared + kOcclusionSmoothing + 1.0;
 }
 
-cv::Mat openness(const Occluders& seen, const cv::Mat& normals, const cv::Rect& place,
-                 const cv::Mat& wanted) {
+cv::Mat ambientVisibility(const Occluders& seen, const cv::Mat& normals, const cv::Rect& place,
+                          const cv::Mat& wanted) {
   const OccluderDepths depths(seen);
   const cv::Mat directions = withLanes(normals);
   const cv::Mat needed = withPixelsAround(wanted, kOcclusionSmoothing);

@@ -12,7 +12,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// How much of a spot light's middle arrives at its edge.
+/// The share of a spot light's intensity that remains at an angle from its axis.
 Lanes withinCone(const LightInView& light, const Lanes& cosine) {
   const float edge = std::max(light.cone.x() - light.cone.y(), 1e-4F);
   const Lanes inside = clamped((cosine - lanes(light.cone.y())) / lanes(edge), 0.0F, 1.0F);
@@ -23,13 +23,13 @@ Lanes withinCone(const LightInView& light, const Lanes& cosine) {
   return cv::v_load(shares.data());
 }
 
-/// A world with more lights leaves out what of a light cannot be seen.
+/// If a world has more lights than this, their light is left out where it is too weak to be seen.
 constexpr std::size_t kManyLights = 32;
 
-/// How far a light shines [m]: as far as its range, and where there are many, as it adds something
-/// that can be seen, even together with hundreds.
+/// How far a light shines [m]: up to its range and, if there are many lights, only as far as it
+/// adds something that could be seen even in the sum of hundreds.
 float reachOf(const LightInView& light, bool is_one_of_many) {
-  constexpr float kUnseen = 1e-4F;  // of the light of a white surface
+  constexpr float kUnseen = 1e-4F;  // a share of the light of a white surface
   if (light.type == world::LightType::kDirectional) return std::numeric_limits<float>::infinity();
   if (!is_one_of_many) return light.range;
   // intensity / (c + l d + q d^2) = kUnseen
@@ -72,7 +72,7 @@ void ArrivingLights::reaching(const Eigen::Vector3f& low, const Eigen::Vector3f&
   for (std::size_t i = 0; i < reaches_.size(); ++i) {
     const Eigen::Vector3f& light_C = context_.lights[i].position_C;
     const Eigen::Vector3f nearest_C = light_C.cwiseMax(low).cwiseMin(high);
-    // A little more, so that rounding leaves out none.
+    // Slightly more, so that rounding leaves none out.
     const float reach = reaches_[i] * 1.0001F;
     if ((nearest_C - light_C).squaredNorm() <= reach * reach) lights.push_back(i);
   }
@@ -103,7 +103,7 @@ Lanes ArrivingLights::passing(std::size_t light, const Lanes3& position_C, const
   if (shadows.size() == 1) {
     return shadows.front().passing(position_C, face, n_dot_l, coming.distance, faces);
   }
-  // A point is in the side of a cube before which it is farthest.
+  // A point belongs to the cube's side along whose axis it is farthest.
   std::array<Lanes, kCubeSides> ahead;
   Lanes farthest = lanes(0.0F);
   for (std::size_t i = 0; i < ahead.size(); ++i) {

@@ -20,57 +20,57 @@ namespace synthetic_dataset::render {
 /// What all surfaces of a picture have in common.
 struct LightingContext {
   std::vector<LightInView> lights;
-  std::vector<std::vector<CastShadow>> shadows;  ///< of each light: none, one, or those of a cube
+  std::vector<std::vector<CastShadow>> shadows;  ///< of each light: none, one, or a cube's six
   Eigen::Vector3f ambient;                       ///< linear; in Gazebo Classic's worlds encoded
   Eigen::Vector3f up_C;
   float exposure;
   std::optional<world::Fog> fog;
-  world::Simulator simulator = world::Simulator::kGz;  ///< whose light it is
+  world::Simulator simulator = world::Simulator::kGz;  ///< whose lighting model is used
 
-  /// In the place of the ambient light; null for none.
+  /// Replaces the ambient light; null for none.
   std::shared_ptr<const EnvironmentLight> environment = nullptr;
-  Eigen::Matrix3f R_GC = Eigen::Matrix3f::Identity();  ///< for it
+  Eigen::Matrix3f R_GC = Eigen::Matrix3f::Identity();  ///< for `environment`
 };
 
 /// Light and where it comes from.
 struct Arriving {
   Lanes3 to_light;
   Lanes distance;  ///< [m]; 0 for directional lights
-  Lanes falling;   ///< how much of the light's intensity arrives, shadows apart
+  Lanes falling;   ///< the share of the light's intensity that arrives, without shadows
 };
 
-/// What arrives of a picture's lights at four points at once, in whichever way surfaces answer.
+/// Computes what arrives of a picture's lights at four points at once, for any lighting model.
 class ArrivingLights {
  public:
-  /// @param context  have to outlive this
+  /// @param context  has to outlive this object
   explicit ArrivingLights(const LightingContext& context);
 
-  /// All lights, by their indices in the context.
+  /// The indices of all lights in the context.
   [[nodiscard]] std::vector<std::size_t> all() const;
 
-  /// The lights, by their indices in the context, of which something arrives within a box.
-  /// @param low, high  its corners, in the camera's optical frame
+  /// Finds the indices in the context of the lights that reach a box.
+  /// @param low, high  the box's corners, in the camera's optical frame
   void reaching(const Eigen::Vector3f& low, const Eigen::Vector3f& high,
                 std::vector<std::size_t>& lights) const;
 
-  /// Whether there are so many that it is worth while to ask which reach a place.
+  /// Whether there are so many lights that it is worth finding out which ones reach a place.
   [[nodiscard]] bool areMany() const;
 
   [[nodiscard]] Arriving at(std::size_t light, const Lanes3& position_C) const;
 
-  /// How much of it the shadows let pass.
+  /// The share of arriving light that the shadows let pass.
   /// @param face  the surface's normal, towards the camera
-  /// @param faces  a mask: where the surface faces the light
+  /// @param faces  a mask: set where the surface faces the light
   [[nodiscard]] Lanes passing(std::size_t light, const Lanes3& position_C, const Lanes3& face,
                               const Arriving& coming, const Lanes& faces) const;
 
-  /// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
-  /// along the axis instead, so that its fog changes where a camera turns.)
+  /// The share of the fog in what is seen at a distance [m] from the camera. (OGRE uses the depth
+  /// along the axis instead, so that its fog changes when a camera turns.)
   [[nodiscard]] Lanes fogginess(const Lanes& distance) const;
 
  private:
   const LightingContext& context_;
-  std::list<MapDepths::Assembled> maps_;            ///< which the lookups refer to
+  std::list<MapDepths::Assembled> maps_;            ///< to which the lookups refer
   std::vector<std::vector<ShadowLookup>> lookups_;  ///< of each light
   std::vector<float> reaches_;                      ///< of each light [m]
 };

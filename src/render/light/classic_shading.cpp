@@ -12,7 +12,7 @@ Lanes3 ClassicShading::seen(const ClassicLanes& surface,
   const Lanes3 nothing = lanes(0.0F, 0.0F, 0.0F);
   Sums sums{nothing, nothing};
   for (const std::size_t i : lights) add(i, surface, sums);
-  // What is encoded is about the square root of light.
+  // Encoded values are about the square root of light.
   const Lanes3 around =
       surface.ambient * ambientLight(surface) * cv::v_sqrt(surface.ambient_visibility) +
       surface.emissive;
@@ -24,7 +24,7 @@ Lanes3 ClassicShading::seen(const ClassicLanes& surface,
   return mix(light, lanes(context_.fog->colour), lights_.fogginess(length(surface.position_C)));
 }
 
-/// The ambient light.
+/// The encoded ambient light, or that of the environment if there is one.
 Lanes3 ClassicShading::ambientLight(const ClassicLanes& surface) const {
   if (context_.environment == nullptr) return lanes(context_.ambient);
   const Lanes3 light = context_.environment->arriving(rotated(context_.R_GC, surface.normal));
@@ -38,7 +38,7 @@ void ClassicShading::add(std::size_t light, const ClassicLanes& surface, Sums& s
   const Lanes n_dot_l = dot(surface.normal, coming.to_light);
   const Lanes faces = (n_dot_l > zero) & (coming.falling > zero);
   if (!cv::v_check_any(faces)) return;
-  // The normal of the side on which the light falls.
+  // The normal on the side on which the light falls.
   const Lanes is_back = dot(surface.face, coming.to_light) < zero;
   const Lanes3 side = select(is_back, lanes(0.0F, 0.0F, 0.0F) - surface.face, surface.face);
   const Lanes passing = lights_.passing(light, surface.position_C, side, coming, faces);

@@ -14,33 +14,33 @@ namespace synthetic_dataset::render {
 struct ClassicLanes {
   Lanes3 position_C;
   Lanes3 face;               ///< its normal, towards the camera
-  Lanes3 normal;             ///< as a normal map bends it; of backs, that of their fronts
-  Lanes3 albedo;             ///< the colour of its texture; white where it has none
+  Lanes3 normal;             ///< as bent by a normal map; for backs, that of their fronts
+  Lanes3 albedo;             ///< the colour of its texture; white if it has none
   Lanes3 ambient;            ///< its colour under ambient light
   Lanes ambient_visibility;  ///< the share of the ambient light that arrives
-  Lanes3 emissive;           ///< what it sends whatever the light: emissive
+  Lanes3 emissive;           ///< what it emits, regardless of lights
   Lanes3 diffuse;
   Lanes3 specular;
-  Lanes shininess;  ///< Blinn-Phong's exponent; where it is 0 there is no highlight
+  Lanes shininess;  ///< Blinn-Phong's exponent; 0: no highlight
   Lanes3 glow;      ///< from an emissive texture
 };
 
-/// The lighting model of Gazebo Classic's worlds, as lighting.glsl has it for surfaces that one
-/// can see through. OGRE 1 lights each pixel (RTShaderLib, SGXLib_PerPixelLighting.glsl):
+/// The lighting model of Gazebo Classic's worlds; lighting.glsl contains it for see-through
+/// surfaces. OGRE 1 lights each pixel (RTShaderLib, SGXLib_PerPixelLighting.glsl):
 ///
 ///     (emissive + ambient x scene's ambient + sum of diffuse x light x n.l x fall-off) x picture
 ///         + sum of specular x light's specular x (n.h)^shininess x fall-off
 ///
 /// where a light counts only on its side of the surface, and the highlight only with a shininess
-/// above 0 (OgreShaderExPerPixelLighting.cpp). The numbers are those of the files and of the
-/// picture's pixels, as they are encoded; what exceeds 1 is cut off.
+/// above 0 (OgreShaderExPerPixelLighting.cpp). All numbers are sRGB-encoded, as in the files and in
+/// the picture's pixels; the result is clamped to 1, or above it for short exposures.
 class ClassicShading {
  public:
-  /// @param context  have to outlive this
+  /// @param context  has to outlive this object
   explicit ClassicShading(const LightingContext& context);
 
   /// The surfaces' colours in the picture, sRGB-encoded, before exposure.
-  /// @param lights  by their indices in the context; others do not reach it
+  /// @param lights  the indices in the context of the lights that reach the surfaces
   [[nodiscard]] Lanes3 seen(const ClassicLanes& surface,
                             const std::vector<std::size_t>& lights) const;
 

@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::render {
 
-/// What all surfaces of a picture have in common. The references have to outlive it.
+/// What all surfaces of a picture have in common. What it refers to has to outlive it.
 struct ColourScene {
   const View& view;
   const std::vector<Pose>& X_WL;
@@ -18,12 +18,12 @@ struct ColourScene {
   const std::vector<ShadowProjection>& shadows;
   float exposure = 1.0F;
 
-  /// Through a lens: what it sees, of which `view` is a face.
+  /// The view of the lens of which `view` is a face; null if it is not a face.
   const View* whole = nullptr;
 
   LightDetail detail = LightDetail::kSimple;
 
-  /// Where links cast their shadows, where that is not quite X_WL.
+  /// The poses in which links cast their shadows, if they differ from X_WL.
   const CasterPoses* casters = nullptr;
 };
 

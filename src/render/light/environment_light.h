@@ -12,20 +12,20 @@ namespace synthetic_dataset::render {
 
 /// How bright the light of a panorama is, as factors.
 struct EnvironmentLevels {
-  Eigen::Vector3f above{1.0F, 1.0F, 1.0F};  ///< of what arrives at matte surfaces from above
-  Eigen::Vector3f below{1.0F, 1.0F, 1.0F};  ///< and from below
+  Eigen::Vector3f above{1.0F, 1.0F, 1.0F};  ///< for light that matte surfaces receive from above
+  Eigen::Vector3f below{1.0F, 1.0F, 1.0F};  ///< for light that they receive from below
   float mirrored = 1.0F;
 };
 
-/// The light of a panorama that lies around the world.
+/// The light of a panorama that surrounds the world.
 class EnvironmentLight {
  public:
   /// @param yaw  by which the panorama is turned about z, from x to y [rad]
   EnvironmentLight(std::shared_ptr<const PanoramaLight> panorama, double yaw,
                    const EnvironmentLevels& levels);
 
-  /// As MatteLight and PanoramaLight have them.
-  /// @param normals_G, directions_G  of the global frame
+  /// Like MatteLight::arriving() and PanoramaLight::mirrored().
+  /// @param normals_G, directions_G  in the global frame
   [[nodiscard]] Lanes3 arriving(const Lanes3& normals_G) const;
   [[nodiscard]] Lanes3 mirrored(const Lanes3& directions_G, const Lanes& roughness) const;
 
@@ -33,7 +33,7 @@ class EnvironmentLight {
   std::shared_ptr<const PanoramaLight> panorama_;
   Eigen::Matrix3f R_PG_;  ///< P is the panorama's frame
   MatteLight matte_;
-  float brightness_;  ///< of what is mirrored
+  float brightness_;  ///< of reflections
 };
 
 }  // namespace synthetic_dataset::render

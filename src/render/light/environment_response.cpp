@@ -8,20 +8,20 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kPoints = 32;  // of either side of the table
+constexpr int kPoints = 32;  // along either side of the table
 constexpr float kNaturalOfTwo = 0.693147181F;
 
-/// What is mirrored of white: of a surface that mirrors nothing head-on, and how much more of one
-/// that mirrors all.
+/// What is reflected of white surroundings: by a surface that reflects nothing at normal incidence,
+/// and how much more by one that reflects everything.
 struct Mirrored {
   float of_none;
   float of_all;
 };
 
-/// By roughness from 0 to 1, then by the cosine to the eye from 0 to 1.
+/// Indexed by roughness from 0 to 1, then by the cosine of the angle to the eye from 0 to 1.
 using MirroredTable = std::array<std::array<Mirrored, kPoints>, kPoints>;
 
-/// The mean over halfway vectors as GGX spreads them (Karis 2013).
+/// The mean over halfway vectors that are distributed according to GGX (Karis 2013).
 Mirrored integrated(double roughness, double n_dot_v) {
   constexpr int kCount = 24;
   const double alpha = std::max(roughness * roughness, 1e-4);
@@ -32,7 +32,7 @@ Mirrored integrated(double roughness, double n_dot_v) {
     const double share = (i + 0.5) / kCount;
     const double angle = std::atan(alpha * std::sqrt(share / (1.0 - share)));
     for (int k = 0; k < kCount; ++k) {
-      const double around = M_PI * (k + 0.5) / kCount;  // its other half is the same
+      const double around = M_PI * (k + 0.5) / kCount;  // the other half is symmetric
       const double n_dot_h = std::cos(angle);
       const double v_dot_h = n_cross_v * std::sin(angle) * std::cos(around) + n_dot_v * n_dot_h;
       const double n_dot_l = 2.0 * v_dot_h * n_dot_h - n_dot_v;

@@ -14,7 +14,7 @@ std::string lightMacros(const std::vector<world::Light>& lights,
       std::to_string(kGrazingShadowRaise) + "\n#define SHADOW_MAPS " + std::to_string(layout.maps) +
       "\n#define SHADOW_COUNT " + std::to_string(std::max(layout.maps + layout.sides, 1)) +
       "\n#define LIGHT_COUNT " + std::to_string(std::max<std::size_t>(chosen.size(), 1)) + "\n";
-  // Each costs time to compile, in every program.
+  // Each unrolled light takes time to compile, in every program.
   constexpr std::size_t kMostUnrolled = 8;
   std::string each;
   std::string types;

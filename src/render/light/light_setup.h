@@ -13,10 +13,10 @@
 
 namespace synthetic_dataset::render {
 
-/// What shaders with lighting.glsl have to know of the lights when they are compiled: their macro
-/// EACH_LIGHT.
-/// @param chosen  the lights that they are for, by their indices
-/// @param detail  the most that these shaders are used for
+/// The macros about the lights with which shaders that include lighting.glsl are compiled, among
+/// them EACH_LIGHT.
+/// @param chosen  the indices of the lights that the shaders use
+/// @param detail  the highest for which these shaders are used
 [[nodiscard]] std::string lightMacros(const std::vector<world::Light>& lights,
                                       const std::vector<std::size_t>& chosen, LightDetail detail);
 
@@ -24,9 +24,9 @@ namespace synthetic_dataset::render {
 struct LightInView {
   world::LightType type;
   Eigen::Vector3f position_C;
-  Eigen::Vector3f direction_C;  ///< where it shines
+  Eigen::Vector3f direction_C;  ///< in which it shines
   Eigen::Vector3f intensity;
-  Eigen::Vector3f specular;     ///< of highlights in Gazebo Classic
+  Eigen::Vector3f specular;     ///< for highlights in Gazebo Classic
   Eigen::Vector3f attenuation;  ///< constant, linear, quadratic
   float range;                  ///< [m]
   Eigen::Vector3f cone;         ///< cosine of the inner angle, cosine of the outer angle, falloff
@@ -35,11 +35,11 @@ struct LightInView {
 [[nodiscard]] std::vector<LightInView> lightsIn(const View& view,
                                                 const std::vector<world::Light>& lights);
 
-/// The world's upwards, in the camera's optical frame.
+/// The world's up direction, in the camera's optical frame.
 [[nodiscard]] Eigen::Vector3f upIn(const View& view);
 
-/// Tells such a shader of the lights, in the camera's frame.
-/// @param chosen  those that it was compiled for
+/// Sets the uniforms for the lights in such a shader, in the camera's frame.
+/// @param chosen  the indices for which it was compiled
 void setLights(const ShaderProgram& program, const std::vector<world::Light>& lights,
                const std::vector<std::size_t>& chosen, const std::vector<ShadowProjection>& shadows,
                const View& view);

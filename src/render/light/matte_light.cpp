@@ -13,7 +13,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr int kRows = 32;  // of normals for which it is found
+constexpr int kRows = 32;  // of normals for which light is computed
 
 /// The elevation of a panorama's row above the horizon [rad].
 double elevationOf(double row, int rows) { return M_PI * (0.5 - row / rows); }
@@ -26,10 +26,10 @@ Eigen::Vector3f directionAt(int row, int column, const cv::Size& size) {
       .cast<float>();
 }
 
-/// Four pixels of a panorama, as lights.
+/// Four pixels of a panorama, as light sources.
 struct FourLights {
   Lanes3 directions;
-  Lanes3 light;  ///< what arrives at a surface that faces it
+  Lanes3 light;  ///< that arrives at a surface facing them
 };
 
 std::vector<FourLights> lightsOf(const cv::Mat& panorama, int first_row, int end_row) {
@@ -37,7 +37,7 @@ std::vector<FourLights> lightsOf(const cv::Mat& panorama, int first_row, int end
   for (int row = first_row; row < end_row; ++row) {
     const double height =
         std::sin(elevationOf(row, panorama.rows)) - std::sin(elevationOf(row + 1, panorama.rows));
-    // Its solid angle, of the pi that a white sky comes to.
+    // A pixel's solid angle divided by pi, which is what a white sky sums up to.
     const auto share = static_cast<float>(height * 2.0 / panorama.cols);
     for (int column = 0; column < panorama.cols; column += kLaneCount) {
       alignas(16) std::array<std::array<float, kLaneCount>, 3> direction{};
@@ -66,7 +66,7 @@ cv::Vec4f sumOf(const std::vector<FourLights>& lights, const Eigen::Vector3f& no
   for (const FourLights& four : lights) {
     sum = sum + four.light * cv::v_max(dot(four.directions, n), lanes(0.0F));
   }
-  // OpenCV's own sum of lanes is in an order that depends on the processor.
+  // OpenCV's own sum of lanes adds in an order that depends on the processor.
   const auto all = [](const Lanes& four) {
     alignas(16) std::array<float, kLaneCount> each{};
     cv::v_store(each.data(), four);

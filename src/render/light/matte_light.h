@@ -7,19 +7,20 @@
 
 namespace synthetic_dataset::render {
 
-/// What matte surfaces make of the light of a panorama. It varies slowly with their normals, so it
-/// is found for some of them and looked up between these. Spherical harmonics of nine numbers would
-/// do for skies, but a sun in a panorama would light what is turned away from it.
+/// The light of a panorama that arrives at matte surfaces (irradiance). It varies slowly with their
+/// normals, so it is computed for some normals and interpolated. Spherical harmonics with nine
+/// coefficients would suffice for skies, but with them a sun in a panorama would light what faces
+/// away from it.
 class MatteLight {
  public:
-  /// The light of a panorama's rows from one on to before another, as if the others were black.
-  /// @param panorama  CV_32FC4: equirectangular; red, green, blue and any, linear; a multiple of
-  ///     four columns
+  /// The light of a panorama's rows from first_row up to but not including end_row.
+  /// @param panorama  CV_32FC4: equirectangular; linear red, green, blue and an unused number; its
+  ///     width is a multiple of four
   MatteLight(const cv::Mat& panorama, int first_row, int end_row);
 
-  /// What arrives from the half of the world that surfaces face, as their cosine counts; 1 where
+  /// The light that arrives from the hemisphere that surfaces face, weighted by the cosine; 1 if
   /// all of it is white.
-  /// @param normals  unit vectors of the panorama's frame
+  /// @param normals  unit vectors in the panorama's frame
   [[nodiscard]] Lanes3 arriving(const Lanes3& normals) const;
   [[nodiscard]] Eigen::Vector3f arriving(const Eigen::Vector3f& normal) const;
 
@@ -30,7 +31,7 @@ class MatteLight {
  private:
   MatteLight() = default;
 
-  cv::Mat map_;  ///< CV_32FC4: by normals, as a panorama, of bordered()
+  cv::Mat map_;  ///< CV_32FC4: by normals, as a panorama made by bordered()
 };
 
 }  // namespace synthetic_dataset::render

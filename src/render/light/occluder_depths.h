@@ -11,13 +11,13 @@
 
 namespace synthetic_dataset::render {
 
-/// Columns and rows of the picture.
+/// The columns and rows of four pixels of the picture.
 struct FourPixels {
   std::array<int, kLaneCount> u;
   std::array<int, kLaneCount> v;
 };
 
-/// Four pixels at offsets from four in a row.
+/// The pixels at some offsets from four adjacent ones in a row.
 [[nodiscard]] inline FourPixels beside(int u, int v, const Lanes& du, const Lanes& dv) {
   FourPixels four;
   cv::v_store(four.u.data(), cv::v_round(du) + cv::v_int32x4(u, u + 1, u + 2, u + 3));
@@ -25,10 +25,10 @@ struct FourPixels {
   return four;
 }
 
-/// The depths of what may hide surfaces, four pixels at a time, with a margin around them.
+/// The depths of possible occluders, four pixels at a time, with a margin around them.
 class OccluderDepths {
  public:
-  static constexpr int kMargin = 4;  ///< pixels beside the known ones that may be read
+  static constexpr int kMargin = 4;  ///< pixels around the known ones that may be read
 
   explicit OccluderDepths(const Occluders& seen)
       : place_(seen.place),
@@ -43,7 +43,7 @@ class OccluderDepths {
                        cv::BORDER_REPLICATE);
   }
 
-  /// The depths of four pixels in a row, up to kMargin beside those that are known.
+  /// The depths of four adjacent pixels in a row, up to kMargin outside the known ones.
   [[nodiscard]] Lanes four(int u, int v) const {
     return cv::v_load(depths_.ptr<float>(v - place_.y + kMargin, u - place_.x + kMargin));
   }
@@ -59,14 +59,14 @@ class OccluderDepths {
     return ray;
   }
 
-  /// The depths of any four pixels; 0 beside those that are known.
+  /// The depths of any four pixels; 0 outside the known ones.
   [[nodiscard]] Lanes at(const FourPixels& four) const {
     return {at(four.u[0], four.v[0]), at(four.u[1], four.v[1]), at(four.u[2], four.v[2]),
             at(four.u[3], four.v[3])};
   }
 
-  /// From the rays of four pixels in a row to those at some offsets. Where these are beside the
-  /// known ones, the pixels on the other side say it.
+  /// The differences from the rays of four adjacent pixels in a row to the rays at some offsets. If
+  /// those are outside the known pixels, the pixels at the opposite offsets are used instead.
   [[nodiscard]] Lanes3 wayTo(int u, int v, const Lanes& du, const Lanes& dv,
                              const Lanes3& rays) const {
     FourPixels there = beside(u, v, du, dv);
@@ -81,7 +81,7 @@ class OccluderDepths {
     return (raysAt(there) - rays) * cv::v_load(side.data());
   }
 
-  /// The rays of any four pixels; beside the known ones, that of the nearest known.
+  /// The rays of any four pixels; outside the known ones, that of the nearest known one.
   [[nodiscard]] Lanes3 raysAt(const FourPixels& four) const {
     const auto& [u, v] = four;
     if (rays_.empty()) {

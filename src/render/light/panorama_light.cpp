@@ -19,13 +19,13 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// A part of the lobe; each has the same weight.
+/// A part of the lobe; all parts have the same weight.
 struct Cell {
   Eigen::Vector3d direction;  ///< the lobe's axis is z
-  double size;                ///< the root of its solid angle [rad]
+  double size;                ///< the square root of its solid angle [rad]
 };
 
-/// The angle from the lobe's axis within which such a share of the microfacets mirrors [rad]
+/// The angle from the lobe's axis within which a given share of the microfacets reflects [rad]
 /// (Walter et al. 2007).
 double angleOfShare(double share, double alpha) {
   return 2.0 * std::atan(alpha * std::sqrt(share / (1.0 - share)));
@@ -69,15 +69,15 @@ std::vector<Cell> cellsOf(double alpha, int rings, int sectors) {
   return cells;
 }
 
-/// The copy whose pixels are about as large as a cell.
+/// The index of the copy whose pixels are about as large as a cell.
 std::size_t copyFor(const Cell& cell, const std::vector<cv::Mat>& smaller) {
   const double pixels = cell.size / (M_PI / smaller.front().rows);
   const auto halvings = std::lround(std::log2(std::max(pixels, 1.0)));
   return std::min(static_cast<std::size_t>(halvings), smaller.size() - 1);
 }
 
-/// Adds what one cell sees from all places of a row, at which the lobe's axis goes around.
-/// @param row, column  of the panorama's, of the cell of the first place [px]
+/// Adds what one cell sees for all directions of the lobe's axis in a row of the result.
+/// @param row, column  where the cell is in the panorama for the first of these directions [px]
 void addCell(const cv::Mat& panorama, double row, double column, std::vector<Lanes>& sums) {
   const double y = std::clamp(row, 0.0, panorama.rows - 1.0);
   const int upper_row = static_cast<int>(y);
@@ -105,7 +105,7 @@ void addCell(const cv::Mat& panorama, double row, double column, std::vector<Lan
 /// Ever smaller copies of a panorama, each half as wide and high as the one before, whose pixels
 /// are means of what they cover.
 /// @param panorama  CV_32FC4: equirectangular, linear
-/// @return that itself first
+/// @return the copies, beginning with the panorama itself
 std::vector<cv::Mat> smallerPanoramas(const cv::Mat& panorama) {
   std::vector<cv::Mat> copies = {panorama};
   while (copies.back().rows >= 8) {
@@ -117,16 +117,16 @@ std::vector<cv::Mat> smallerPanoramas(const cv::Mat& panorama) {
   return copies;
 }
 
-/// What a rough surface mirrors of a panorama, for each direction of a mirror: the mean over GGX's
-/// lobe, by the cosine to the surface, of one that is looked at head-on (Karis 2013, "Real Shading
-/// in Unreal Engine 4"). The lobe is cut into rings of equal weight and these into cells, each of
-/// which is looked up where a copy's pixels are as large (after Krivanek and Colbert 2008,
-/// "Real-time Shading with Filtered Importance Sampling", with places that are not random).
-/// @param smaller  of smallerPanoramas()
-/// @param alpha  GGX's: the square of a roughness, > 0
-/// @return CV_32FC4: equirectangular as well, twice as wide as high
+/// What a rough surface reflects of a panorama, for each mirror direction: the mean over the GGX
+/// lobe, weighted by the cosine, for a surface that is viewed head-on (Karis 2013, "Real Shading in
+/// Unreal Engine 4"). The lobe is cut into rings of equal weight and these into cells, each of
+/// which is looked up in the copy whose pixels are about as large (after Krivanek and Colbert 2008,
+/// "Real-time Shading with Filtered Importance Sampling", but with places that are not random).
+/// @param smaller  from smallerPanoramas()
+/// @param alpha  of GGX: the square of the roughness, > 0
+/// @return CV_32FC4: equirectangular, too, twice as wide as high
 cv::Mat blurredByLobe(const std::vector<cv::Mat>& smaller, double alpha, int rows) {
-  // The sharper, the more pixels there are and the less matters what is beside the lobe.
+  // The sharper the lobe, the more pixels there are, and the less its outer part matters.
   const int rings = rows > 128 ? 8 : 12;
   const int sectors = rows > 128 ? 8 : 16;
   const std::vector<Cell> cells = cellsOf(alpha, rings, sectors);
@@ -142,7 +142,7 @@ cv::Mat blurredByLobe(const std::vector<cv::Mat>& smaller, double alpha, int row
                                   cell.direction.x() * Eigen::Vector3d::UnitY();
       const cv::Mat& copy = smaller[copyFor(cell, smaller)];
       const double height = std::asin(std::clamp(way.z(), -1.0, 1.0));
-      // To the right is where the azimuth falls.
+      // The azimuth decreases to the right.
       const double turn = -std::atan2(way.y(), way.x()) / (2.0 * M_PI);
       addCell(copy, (0.5 - height / M_PI) * copy.rows - 0.5,
               (0.5 / blurred.cols + turn) * copy.cols - 0.5, sums);
@@ -155,14 +155,14 @@ cv::Mat blurredByLobe(const std::vector<cv::Mat>& smaller, double alpha, int row
   return blurred;
 }
 
-/// GGX's alpha of each level: a mirror, its picture with fewer pixels, and blurred ones.
+/// GGX's alpha for each level: a mirror, the same picture with fewer pixels, and blurred ones.
 constexpr std::array<float, 9> kAlphas = {0.0F,     1.0F / 256, 1.0F / 64, 1.0F / 32, 1.0F / 16,
                                           1.0F / 8, 1.0F / 4,   1.0F / 2,  1.0F};
 constexpr std::size_t kFirstBlurred = 2;
 
-constexpr int kMatteRows = 64;  // of the copy whose pixels are all added up
+constexpr int kMatteRows = 64;  // of the copy whose pixels are all summed up
 
-/// Two or more pixels for the width of a level's lobe.
+/// The number of rows of a level: at least two pixels for the width of its lobe.
 int rowsOf(std::size_t level) {
   constexpr int kSharpest = 256;
   constexpr int kLeast = 32;
@@ -170,7 +170,7 @@ int rowsOf(std::size_t level) {
 }
 
 /// @param panorama  CV_32FC4
-/// @return with so few rows that all their pixels are soon added up
+/// @return a copy so small that summing up all its pixels is fast
 cv::Mat reduced(const cv::Mat& panorama) {
   cv::Mat light;
   cv::resize(panorama, light, {2 * kMatteRows, kMatteRows}, 0.0, 0.0, cv::INTER_AREA);
@@ -215,8 +215,8 @@ cv::Mat smaller(const cv::Mat& panorama) {
   return light;
 }
 
-/// Between which levels a lobe lies: whole at each of kAlphas, and even in the logarithm between
-/// those that are not 0.
+/// The level of a lobe, with fractions between levels: an integer at each of kAlphas, and linear in
+/// the logarithm between those that are not 0.
 Lanes levelOf(const Lanes& roughness) {
   constexpr float kPerTwo = 1.44269504F;
   const Lanes alpha = roughness * roughness;
@@ -229,8 +229,8 @@ Lanes levelOf(const Lanes& roughness) {
                  kAlphas.size() - 1.0F);
 }
 
-/// What levels show of four places.
-/// @param which  level of each
+/// What the levels show at four places.
+/// @param which  the level for each place
 Lanes3 shown(const std::vector<cv::Mat>& levels, const std::array<int, kLaneCount>& which,
              const PanoramaPlaces& places) {
   const auto level = [&](std::size_t lane) -> const cv::Mat& {

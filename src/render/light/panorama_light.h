@@ -11,27 +11,29 @@
 
 namespace synthetic_dataset::render {
 
-/// What surfaces make of the light of a panorama that lies around them, found once for all of them:
-/// of matte ones the mean of what they face, and what others mirror by its direction and their
-/// roughness, for which there are blurred copies of the panorama.
+/// The light of a panorama around surfaces, prefiltered once for all of them: for matte surfaces
+/// the mean of what they face, and for reflections, by direction and roughness, blurred copies of
+/// the panorama.
 ///
-/// Directions are the panorama's: its upper edge is +z, its middle +x, to the right of which is -y.
+/// Directions are in the panorama's frame: its upper edge is +z, its middle is +x, with -y to the
+/// right of it.
 class PanoramaLight {
  public:
-  /// @param panorama  CV_16UC4: equirectangular; red, green, blue and any, linear numbers of 16
-  ///     bits (IEEE 754 binary16)
+  /// @param panorama  CV_16UC4: equirectangular; linear red, green, blue and an unused number, as
+  ///     half floats (IEEE 754 binary16)
   explicit PanoramaLight(const cv::Mat& panorama);
 
-  /// What arrives at matte surfaces from its upper half, and from its lower half.
+  /// The light that matte surfaces receive from its upper half, and from its lower half.
   [[nodiscard]] const MatteLight& above() const { return above_; }
   [[nodiscard]] const MatteLight& below() const { return below_; }
 
-  /// What is seen in a mirror, more blurred the rougher it is; 1 where all is white.
-  /// @param directions  to where the mirror shows, unit vectors
+  /// What is seen in a mirror, which is the more blurred the rougher the mirror is; 1 where all is
+  /// white.
+  /// @param directions  the mirror directions, unit vectors
   /// @param roughness  0 .. 1
   [[nodiscard]] Lanes3 mirrored(const Lanes3& directions, const Lanes& roughness) const;
 
-  /// [byte]
+  /// The memory in use [byte].
   [[nodiscard]] std::size_t memory() const;
 
  private:
@@ -40,13 +42,12 @@ class PanoramaLight {
   MatteLight above_;
   MatteLight below_;
 
-  /// Ever rougher mirrors' panoramas: CV_16UC4, with one pixel more at each edge, which is what
-  /// lies beyond it.
+  /// The panoramas seen in ever rougher mirrors: CV_16UC4, made by bordered().
   std::vector<cv::Mat> levels_;
 };
 
-/// A picture's light, as PanoramaLight takes it; of one that is wider than 2048 pixels, reduced to
-/// that.
+/// A picture's light, in the form that PanoramaLight takes; reduced to a width of 2048 pixels if it
+/// is wider.
 [[nodiscard]] cv::Mat panoramaOf(const world::Texture& picture);
 
 }  // namespace synthetic_dataset::render

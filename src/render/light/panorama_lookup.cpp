@@ -9,7 +9,8 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The angle of each (x, y) from the x axis, -pi .. pi, to 3e-7; 0 for (0, 0) (Cephes, atanf).
+/// The angle of each (x, y) from the x axis, -pi .. pi, with an error of 3e-7; 0 for (0, 0)
+/// (Cephes, atanf).
 Lanes angleOf(const Lanes& y, const Lanes& x) {
   constexpr auto kPi = static_cast<float>(M_PI);
   constexpr float kTangentOfEighth = 0.414213562F;
@@ -17,7 +18,7 @@ Lanes angleOf(const Lanes& y, const Lanes& x) {
   const Lanes one = lanes(1.0F);
   const Lanes across = cv::v_abs(x);
   const Lanes up = cv::v_abs(y);
-  // The slope of the nearer axis' side of the diagonal, 0 .. 1.
+  // The slope relative to the nearer axis, 0 .. 1.
   const Lanes slope = cv::v_min(across, up) / cv::v_max(cv::v_max(across, up), lanes(1e-30F));
   const Lanes is_steep = slope > lanes(kTangentOfEighth);
   const Lanes s = cv::v_select(is_steep, (slope - one) / (slope + one), slope);

@@ -11,21 +11,22 @@
 
 namespace synthetic_dataset::render {
 
-/// Where four directions lie in a panorama, 0 .. 1 from the left and from the top.
+/// The places of four directions in a panorama, 0 .. 1 from the left and from the top.
 struct PanoramaPlaces {
   Lanes x;
   Lanes y;
 };
 
-/// @param directions  the panorama's, unit vectors: its upper edge is +z, its middle +x, to the
-///     right of which is -y
+/// @param directions  unit vectors in the panorama's frame: its upper edge is +z, its middle is +x,
+///     with -y to the right of it
 [[nodiscard]] PanoramaPlaces placesOf(const Lanes3& directions);
 
-/// A panorama with one pixel more at each edge, which is what lies beyond: around the world, and
-/// past the poles on their other side.
+/// A panorama with one more pixel at each edge, which shows what lies beyond: horizontally the
+/// opposite edge, vertically what lies on the other side of the pole.
 [[nodiscard]] cv::Mat bordered(const cv::Mat& panorama);
 
-/// The upper left one of four pixels between whose centres a place lies, and how far from it.
+/// The upper left of the four pixels between whose centres a place lies, and how far from it that
+/// is.
 struct PixelsAround {
   int row;
   int column;
@@ -33,10 +34,10 @@ struct PixelsAround {
   float down;
 };
 
-/// @param map  of bordered()
-/// @param x, y  of PanoramaPlaces
+/// @param map  made by bordered()
+/// @param x, y  as in PanoramaPlaces
 [[nodiscard]] inline PixelsAround pixelsAround(const cv::Mat& map, float x, float y) {
-  // The first pixel is what lies beyond the edge, and a pixel's centre is half past.
+  // The first pixel lies beyond the edge, and a pixel's centre is half a pixel from its edge.
   const float column = x * static_cast<float>(map.cols - 2) + 0.5F;
   const float row = y * static_cast<float>(map.rows - 2) + 0.5F;
   PixelsAround around{};
@@ -47,10 +48,10 @@ struct PixelsAround {
   return around;
 }
 
-/// What is seen at four places, each between four pixels of a map of its own.
+/// The light at four places, each interpolated between four pixels of a map of its own.
 /// @tparam Pixel  of the maps
-/// @param mapOf  a lane's map, of bordered()
-/// @param load  four pixels that lie one after another, as light
+/// @param mapOf  returns a lane's map, made by bordered()
+/// @param load  loads four consecutive pixels as light
 template <class Pixel, class MapOf, class Load>
 [[nodiscard]] Lanes3 seenBetween(const PanoramaPlaces& places, const MapOf& mapOf,
                                  const Load& load) {

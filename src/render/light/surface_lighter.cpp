@@ -25,7 +25,7 @@ SurfaceImages widened(const SurfaceImages& images) {
           render::widened(images.faces), render::widened(images.glows)};
 }
 
-/// Pixels of a row for which it is found together which lights reach them.
+/// The number of pixels of a row for which the lights that reach them are found together.
 constexpr int kBlock = 32;
 
 /// Whether none of four pixels is wanted.
@@ -36,9 +36,10 @@ bool isNone(const std::uint8_t* wanted) {
   return four == 0;
 }
 
-/// What `wanted` has of each of four items: three numbers and one more.
+/// What `wanted` returns for each of four items: three numbers and one more.
 template <class Wanted>
-PixelLanes ofItems(const std::vector<ItemLight>& items, const int* four, const Wanted& wanted) {
+PixelLanes gatherFromItems(const std::vector<ItemLight>& items, const int* four,
+                           const Wanted& wanted) {
   std::array<Lanes, kLaneCount> each;
   for (std::size_t i = 0; i < each.size(); ++i) {
     const auto [three, one] = wanted(items[static_cast<std::size_t>(four[i])]);
@@ -52,7 +53,7 @@ PixelLanes ofItems(const std::vector<ItemLight>& items, const int* four, const W
 
 }  // namespace
 
-std::vector<ItemLight> partLights(const std::vector<DrawItem>& items, world::Simulator simulator) {
+std::vector<ItemLight> itemLights(const std::vector<DrawItem>& items, world::Simulator simulator) {
   std::vector<ItemLight> lights = {ItemLight()};
   for (const DrawItem& item : items) {
     const world::Material& material = *item.material;
@@ -128,7 +129,7 @@ cv::Mat SurfaceLighter::light(const GeometryImages& geometry, const SurfaceImage
         if (!how_open.empty()) row.open = how_open.ptr<float>(v);
         int known_until = pixels.x;
         for (int u = pixels.x; u < pixels.x + pixels.width; u += kLaneCount) {
-          // Some pixels may be lit twice, or beside the region.
+          // Some pixels may be lit twice, or may be outside the region.
           const int first = firstLane(u, light.cols);
           if (isNone(which.ptr<std::uint8_t>(v, first))) continue;
           if (arriving().areMany() && u >= known_until) {
@@ -148,8 +149,8 @@ const ArrivingLights& SurfaceLighter::arriving() const {
   return classic_ ? classic_->lights() : shading_->lights();
 }
 
-/// Finds the lights of which something arrives at some pixels of a row.
-/// @param left  the first column's in the picture
+/// Finds the lights that reach some pixels of a row.
+/// @param left  the column in the picture of the images' first column
 void SurfaceLighter::findReaching(const Row& row, const cv::Range& columns, int left,
                                   std::vector<std::size_t>& lights) const {
   const Lanes far = lanes(std::numeric_limits<float>::max());
@@ -172,9 +173,9 @@ void SurfaceLighter::findReaching(const Row& row, const cv::Range& columns, int 
       {cv::v_reduce_max(high.x), cv::v_reduce_max(high.y), cv::v_reduce_max(high.z)}, lights);
 }
 
-/// @param column  of the images
-/// @param u  the same in the picture
-/// @param lights  that reach it
+/// @param column  the first pixel's, in the images
+/// @param u  the same pixel's, in the picture
+/// @param lights  the indices of the lights that reach the pixels
 void SurfaceLighter::lightFour(const Row& row, int column, float u,
                                const std::vector<std::size_t>& lights) const {
   const cv::v_int32x4 items = cv::v_load(row.items + column);
@@ -206,7 +207,7 @@ Lanes3 SurfaceLighter::positionsAt(const Row& row, int column, float u) const {
 SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) const {
   const PixelLanes base = loadHalves(row.base_roughness + 4 * column);
   const PixelLanes normal = loadHalves(row.normal_metalness + 4 * column);
-  const PixelLanes item = ofItems(items_, row.items + column, [](const ItemLight& light) {
+  const PixelLanes item = gatherFromItems(items_, row.items + column, [](const ItemLight& light) {
     return std::pair<const Eigen::Vector3f&, float>(light.emissive, light.reflectance);
   });
   SurfaceLanes surface;
@@ -227,7 +228,7 @@ SurfaceLanes SurfaceLighter::surfacesAt(const Row& row, int column, float u) con
 
 ClassicLanes SurfaceLighter::classicAt(const Row& row, int column, float u) const {
   const int* const items = row.items + column;
-  const auto of = [&](const auto& wanted) { return ofItems(items_, items, wanted); };
+  const auto of = [&](const auto& wanted) { return gatherFromItems(items_, items, wanted); };
   using Four = std::pair<const Eigen::Vector3f&, float>;
   const PixelLanes ambient =
       of([](const ItemLight& light) { return Four(light.classic.ambient, 0.0F); });

@@ -15,30 +15,30 @@
 
 namespace synthetic_dataset::render {
 
-/// By the number that items have in GeometryImages.
-[[nodiscard]] std::vector<ItemLight> partLights(const std::vector<DrawItem>& items,
+/// The lighting properties of all items, indexed by their numbers in GeometryImages.
+[[nodiscard]] std::vector<ItemLight> itemLights(const std::vector<DrawItem>& items,
                                                 world::Simulator simulator);
 
-/// Lights pixels whose surfaces OpenGL has drawn, each once, however many small triangles share it.
-/// OpenGL without a graphics card takes three times as long.
+/// Lights pixels whose surfaces OpenGL has drawn, each pixel once, however many small triangles are
+/// in it. OpenGL on the CPU takes three times as long.
 class SurfaceLighter {
  public:
   /// The references have to outlive this.
   /// @param intrinsics  of the picture
-  /// @param nothing  the light where no surface is
-  /// @param rays  CV_32FC3 of the picture: what pixels look along, in whose lengths depths are;
-  ///     empty for those of a pinhole
+  /// @param nothing  the light where there is no surface
+  /// @param rays  CV_32FC3, of the picture: the pixels' rays, along which depths are measured;
+  ///   empty for a pinhole camera
   SurfaceLighter(const LightingContext& context, const std::vector<ItemLight>& items,
                  const Intrinsics& intrinsics, const Eigen::Vector3f& nothing,
                  const cv::Mat& rays = {});
 
   /// @param place  of the images in the picture
-  /// @param regions  of the picture, within `place`, around the pixels that are wanted
-  /// @param wanted  CV_8UC1 of `place`: not 0 for these; what others hold is not sure
-  /// @param open  CV_32FC1 of `place`: the share of the light from everywhere that arrives; empty
-  ///     where all does
-  /// @return CV_16UC4 of `place`: red, green, blue, 1, numbers of 16 bits: exposed and linear, or
-  ///     in Gazebo Classic's worlds encoded and not exposed
+  /// @param regions  of the picture, within `place`; contain all wanted pixels
+  /// @param wanted  CV_8UC1 of `place`: not 0 for the wanted pixels; all others are undefined
+  /// @param open  CV_32FC1 of `place`: the share of the ambient light that arrives; empty if all of
+  ///   it does
+  /// @return CV_16UC4 of `place`: red, green, blue, 1, as half floats: exposed and linear, or in
+  ///   Gazebo Classic's worlds encoded and not exposed
   [[nodiscard]] cv::Mat light(const GeometryImages& geometry, const SurfaceImages& surfaces,
                               const cv::Rect& place, const std::vector<cv::Rect>& regions,
                               const cv::Mat& wanted, const cv::Mat& open = {}) const;
@@ -55,7 +55,7 @@ class SurfaceLighter {
   [[nodiscard]] Lanes3 positionsAt(const Row& row, int column, float u) const;
 
   std::optional<SurfaceShading> shading_;
-  std::optional<ClassicShading> classic_;  ///< the other's place in Gazebo Classic's worlds
+  std::optional<ClassicShading> classic_;  ///< instead of shading_ in Gazebo Classic's worlds
   const std::vector<ItemLight>& items_;
   Intrinsics intrinsics_;
   Eigen::Vector3f nothing_;

@@ -30,7 +30,7 @@ Lanes3 reaching(const Lanes& ambient_visibility, const Lanes3& albedo) {
           reaching(ambient_visibility, albedo.z)};
 }
 
-/// Linear up to 0.8, then bending towards 1 so that bright surfaces keep their drawing.
+/// Linear up to 0.8, then bending towards 1, so that bright surfaces keep their details.
 Lanes shoulder(const Lanes& linear) {
   constexpr float kStart = 0.8F;
   constexpr float kRest = 1.0F - kStart;
@@ -78,7 +78,7 @@ Lanes3 SurfaceShading::lit(const SurfaceLanes& surface,
   return sum;
 }
 
-/// Ambient light that a surface reflects to the camera.
+/// The ambient light that a surface reflects to the camera.
 Lanes3 SurfaceShading::ambient(const SurfaceLanes& surface, const Response& response) const {
   const Lanes one = lanes(1.0F);
   const Lanes3 matte = response.matte * reaching(surface.ambient_visibility, surface.base);
@@ -93,8 +93,8 @@ Lanes3 SurfaceShading::ambient(const SurfaceLanes& surface, const Response& resp
   return around * (matte + mirrored);
 }
 
-/// Light of the environment that a surface reflects to the camera.
-/// @param matte  the share of it that is scattered
+/// The light of the environment that a surface reflects to the camera.
+/// @param matte  the share of it that is reflected diffusely
 Lanes3 SurfaceShading::imageBasedLight(const EnvironmentLight& environment,
                                        const SurfaceLanes& surface, const Response& response,
                                        const Lanes3& matte) const {
@@ -109,7 +109,7 @@ Lanes3 SurfaceShading::imageBasedLight(const EnvironmentLight& environment,
          environment.mirrored(inWorld(direction), surface.roughness) * mirrored;
 }
 
-/// One light source's light that a surface reflects to the camera.
+/// The light of one light source that a surface reflects to the camera.
 Lanes3 SurfaceShading::reflected(std::size_t light, const SurfaceLanes& surface,
                                  const Response& response) const {
   const Lanes zero = lanes(0.0F);
@@ -128,11 +128,11 @@ Lanes3 SurfaceShading::reflected(std::size_t light, const SurfaceLanes& surface,
   const Lanes a2 = alpha * alpha;
   const Lanes bell = n_dot_h * n_dot_h * (a2 - lanes(1.0F)) + lanes(1.0F);
   const Lanes rough = mix(lanes(2.0F) * n_dot_l * n_dot_v, n_dot_l + n_dot_v, alpha);
-  // Lights are given so that a white matte surface facing one of intensity 1 is just white: pi is
-  // left out of the diffuse term, and put back into the specular one, which is divided by it.
+  // Lights are defined such that a white matte surface facing one of intensity 1 is just white: the
+  // division by pi is left out of the diffuse term, and compensated in the specular one.
   const Lanes shine = lanes(0.5F) * a2 / (bell * bell * rough);
   const Lanes3 answer = response.matte + fresnel(response.f0, v_dot_h) * shine;
-  // Where it does not face the light, the answer may be infinite.
+  // The answer may be infinite where the surface does not face the light.
   return select(faces, lanes(context_.lights[light].intensity) * coming.falling * answer * passing,
                 {zero, zero, zero});
 }

@@ -13,30 +13,30 @@ namespace synthetic_dataset::render {
 struct SurfaceLanes {
   Lanes3 position_C;
   Lanes3 face;    ///< its normal, towards the camera
-  Lanes3 normal;  ///< as a normal map bends it
+  Lanes3 normal;  ///< as bent by a normal map
   Lanes3 base;    ///< linear colour
   Lanes reflectance;
   Lanes roughness;
   Lanes metalness;
   Lanes3 glow;
   Lanes ambient_visibility;  ///< the share of the ambient light that arrives
-  Lanes is_lit;              ///< 0 where light leaves it as it is
+  Lanes is_lit;              ///< 0 where the surface is unlit
 };
 
 /// The share of gz-sim's ambient light that reaches surfaces facing downwards.
 inline constexpr float kAmbientFromBelow = 0.55F;
 
-/// The lighting model of gz-sim's worlds, as lighting.glsl has it, which lights what one
-/// can see through: Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and
-/// the height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
+/// The lighting model of gz-sim's worlds; lighting.glsl contains it for see-through surfaces.
+/// Lambert diffuse, GGX specular (Walter et al. 2007, with Schlick's Fresnel and the
+/// height-correlated visibility of Heitz 2014 in Hammon's approximation), hemispheric ambient
 /// light. All lighting is linear.
 class SurfaceShading {
  public:
-  /// @param context  have to outlive this
+  /// @param context  has to outlive this object
   explicit SurfaceShading(const LightingContext& context);
 
   /// The surfaces' light in the picture, at most 1.
-  /// @param lights  by their indices in the context; others do not reach it
+  /// @param lights  the indices in the context of the lights that reach the surfaces
   [[nodiscard]] Lanes3 seen(const SurfaceLanes& surface,
                             const std::vector<std::size_t>& lights) const;
 

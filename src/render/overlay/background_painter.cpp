@@ -37,8 +37,8 @@ const ShaderProgram& made(const GlFunctions& gl, const std::string& fragment_sou
   return *program;
 }
 
-/// The size at which a picture's part lies behind an image that a lens shows: its own, or twice the
-/// image's where that is less, so that it is not made blurred before it is resampled.
+/// The size of a picture's part behind an image that a lens shows: the part's own, or twice the
+/// image's if that is smaller, so that it is not blurred before it is resampled.
 cv::Size sizeThroughLens(const cv::Size& picture, const cv::Size& image) {
   const cv::Size own = partFilling(picture, image).size();
   const cv::Size fine(2 * image.width, 2 * image.height);
@@ -126,7 +126,7 @@ const ShaderProgram& BackgroundPainter::prepareBackdropThroughLens(const View& f
   return program;
 }
 
-/// Binds the part of the picture that fills an image, brought to a size.
+/// Binds the part of the picture that fills an image, scaled to a size.
 void BackgroundPainter::bindBackdrop(const cv::Size& image, const cv::Size& size) {
   GlTexture& texture = backdrops_[{image.width, image.height, size.width, size.height}];
   if (texture.name() == 0) {

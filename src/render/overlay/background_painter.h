@@ -17,11 +17,11 @@
 
 namespace synthetic_dataset::render {
 
-/// The largest part in the middle of a picture that has an image's proportions, to a pixel.
+/// The largest centred part of a picture that has an image's aspect ratio, to a pixel.
 [[nodiscard]] cv::Rect partFilling(const cv::Size& picture, const cv::Size& image);
 
-/// A picture of another size: means of light where it gets smaller; the pixels as they are where it
-/// has that size.
+/// Scales a picture to a size: with means of light if it gets smaller. Returns the pixels as they
+/// are if it has that size already.
 /// @param picture  CV_8UC4, sRGB-encoded, or CV_32FC4, linear light; opaque
 [[nodiscard]] cv::Mat scaledTo(const cv::Size& size, const cv::Mat& picture);
 
@@ -32,26 +32,26 @@ class BackgroundPainter {
   BackgroundPainter(const GlFunctions& gl, bool encoded)
       : gl_(gl), encoded_(encoded), drawing_(gl) {}
 
-  /// The picture from now on, or none.
+  /// Sets the picture that is painted from now on, or none.
   void setPicture(const std::optional<world::BackgroundPicture>& picture);
 
   [[nodiscard]] bool hasPicture() const { return picture_.has_value(); }
 
   /// Fills the pixels of the bound target that are still at the far plane.
-  /// @param whole  the view of the lens of which `view` is a face; null where it is none
+  /// @param whole  the view of the lens of which `view` is a face; null if it is not a face
   /// @param exposure  multiplies the picture's light
-  /// @param regions  of the target, the only ones that are painted
+  /// @param regions  of the target; only these are painted
   void paint(const View& view, const View* whole, float exposure,
              const std::vector<cv::Rect>& regions);
 
  private:
-  /// Each with the picture bound to its unit.
+  /// Each returns its program, with the picture bound to its texture unit.
   [[nodiscard]] const ShaderProgram& preparePanorama(const View& view);
   [[nodiscard]] const ShaderProgram& prepareBackdrop(const cv::Size& image);
   [[nodiscard]] const ShaderProgram& prepareBackdropThroughLens(const View& face,
                                                                 const View& whole);
 
-  /// The macros of its programs.
+  /// The macros of the programs.
   [[nodiscard]] std::string macros() const;
 
   void bindBackdrop(const cv::Size& image, const cv::Size& size);
@@ -61,7 +61,7 @@ class BackgroundPainter {
   RectangleDrawing drawing_;
   std::optional<world::BackgroundPicture> picture_;
   std::map<std::array<int, 4>, GlTexture> backdrops_;  ///< by the image's size and their own
-  GlTexture panorama_;                                 ///< none until it is needed
+  GlTexture panorama_;                                 ///< empty until it is needed
   std::optional<ShaderProgram> panorama_program_;      ///< each is made when it is needed
   std::optional<ShaderProgram> backdrop_program_;
   std::optional<ShaderProgram> lens_program_;

@@ -10,12 +10,12 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// How bright linear light is (ITU-R BT.709).
+/// The luminance of linear light (ITU-R BT.709).
 float luminance(const Eigen::Vector3f& light) {
   return light.dot(Eigen::Vector3f(0.2126F, 0.7152F, 0.0722F));
 }
 
-/// By which light is as bright as another colour where it arrives.
+/// The factors that make arriving light as bright as another colour.
 Eigen::Vector3f levelFor(const Eigen::Vector3f& wanted, const Eigen::Vector3f& arriving) {
   return wanted / std::max(luminance(arriving), 1e-6F);
 }
@@ -63,9 +63,9 @@ std::shared_ptr<const EnvironmentLight> Environment::lightOfPicture() {
                                             EnvironmentLevels{all, all, brightness});
 }
 
-/// Floors and ceilings get as much as of the ambient light, which is hemispheric (SurfaceShading);
-/// between them the sky says how it is spread. What is mirrored is as bright as the sky that is
-/// seen.
+/// Floors and ceilings receive as much light as from the hemispheric ambient light
+/// (SurfaceShading); for surfaces between them, the sky determines how it is distributed.
+/// Reflections are as bright as the visible sky.
 std::shared_ptr<const EnvironmentLight> Environment::lightOfSky() {
   const Eigen::Vector3d sun = sunDirection(*sky_, lights_);
   if (known_sky_ == nullptr || known_sun_ != sun) {

@@ -15,16 +15,16 @@
 
 namespace synthetic_dataset::render {
 
-/// Finds the light of what is seen behind the world: of a panorama, else of the sky. What takes
-/// long is kept for when the same is behind it again.
+/// Finds the light of what is seen behind the world: of a panorama, else of the sky. Whatever is
+/// expensive to compute is kept for when the same background is used again.
 class Environment {
  public:
   Environment(const GlFunctions& gl, const world::Description& description);
 
-  /// What is behind the world from now on.
+  /// Sets what is behind the world from now on.
   void setLook(const world::Look& look);
 
-  /// Null where nothing is that gives light. OpenGL may draw.
+  /// The background's light; null if it is neither a panorama nor the sky. May draw with OpenGL.
   [[nodiscard]] std::shared_ptr<const EnvironmentLight> light();
 
  private:
@@ -43,12 +43,12 @@ class Environment {
   Eigen::Vector3f ambient_;  ///< sRGB-encoded
   std::vector<world::Light> lights_;
   std::optional<world::BackgroundPicture> picture_;
-  std::shared_ptr<const EnvironmentLight> light_;  ///< of these, once it has been asked for
+  std::shared_ptr<const EnvironmentLight> light_;  ///< of the members above, once requested
 
-  std::list<KnownPicture> known_pictures_;  ///< the last ones first
+  std::list<KnownPicture> known_pictures_;  ///< the most recently used first
   std::optional<SkyPanorama> sky_panorama_;
   Eigen::Vector3d known_sun_{0.0, 0.0, 0.0};
-  std::shared_ptr<const PanoramaLight> known_sky_;  ///< with this sun
+  std::shared_ptr<const PanoramaLight> known_sky_;  ///< with known_sun_
 };
 
 }  // namespace synthetic_dataset::render

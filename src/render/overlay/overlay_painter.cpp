@@ -69,12 +69,12 @@ void OverlayPainter::paint(const ColourScene& scene, const ShadowPainter& shadow
 
 void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
   gl_.Enable(GL_BLEND);
-  // What passes is left of alpha.
+  // Alpha keeps the share of light that passes.
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   const Pose X_CW = scene.view.X_WC.inverse();
   std::set<const ShaderProgram*> prepared;
   for (const DrawItem* item : draw_list_.transparentItems(X_CW, scene.X_WL, scene.drawn)) {
-    // What labels take for a hole is blended all the same.
+    // What is a hole to the labels is blended nevertheless.
     const bool blends = (item->features & feature::kGlass) != 0;
     const SurfaceFeatures own = item->features & ~(blends ? feature::kHoles : SurfaceFeatures{0});
     const ShaderProgram& program = glass_programs_.get(own | featuresOf(scene));
@@ -86,7 +86,7 @@ void OverlayPainter::drawSeenThrough(const ColourScene& scene) {
   gl_.Disable(GL_BLEND);
 }
 
-/// Tells a program what of an item's light is the same all over it.
+/// Sets a program's uniforms for the light that is the same all over an item.
 void OverlayPainter::setLight(const ShaderProgram& program, const world::Material& material) const {
   if (!draw_list_.isClassic()) {
     program.set("emissive", linearFromSrgb(material.emissive));
@@ -106,7 +106,7 @@ SurfaceFeatures OverlayPainter::featuresOf(const ColourScene& scene) const {
          (scene.shadows.empty() ? SurfaceFeatures{0} : feature::kShadows);
 }
 
-/// Tells a program what is the same for all surfaces of a picture.
+/// Sets a program's uniforms that are the same for all surfaces of a picture.
 void OverlayPainter::setSurroundings(const ShaderProgram& program, const ColourScene& scene) const {
   program.set("ambient", linearFromSrgb(ambient_));
   program.set("brightest", brightestEncoded(scene.exposure));

@@ -15,26 +15,26 @@
 
 namespace synthetic_dataset::render {
 
-/// Draws what is behind and before the surfaces of a picture that one cannot see through, in the
-/// bound framebuffer.
+/// Draws what is behind and in front of the opaque surfaces of a picture, in the bound framebuffer.
 class OverlayPainter {
  public:
-  /// @param draw_list  has to outlive this
-  /// @param detail  the most that scenes ask for
+  /// @param draw_list  has to outlive this painter
+  /// @param detail  the highest that scenes request
   OverlayPainter(const GlFunctions& gl, const DrawList& draw_list,
                  const world::Description& description, LightDetail detail);
 
-  /// Lights and surroundings from now on; the items' materials are read from them.
+  /// Sets lights and surroundings from now on; materials are read from the draw list's items.
   void setLook(const world::Look& look);
 
-  /// Whether more than one colour is behind all surfaces.
+  /// Whether there is more than a single colour behind all surfaces.
   [[nodiscard]] bool hasBackground() const { return background_painter_.hasPicture() || sky_; }
 
-  /// Whether one can see through something that is selected.
+  /// Whether any selected link is transparent.
   [[nodiscard]] bool hasGlass(const LinkSelection& drawn) const;
 
-  /// A picture or the sky, and what one can see through, if that is selected and `see_through`.
-  /// @param regions  of the picture, none of them over another; beside them nothing is sure
+  /// Paints a background picture or the sky, and, with `see_through`, the selected links'
+  /// transparent surfaces.
+  /// @param regions  of the picture, which must not overlap; pixels outside them are undefined
   void paint(const ColourScene& scene, const ShadowPainter& shadows, bool see_through,
              const std::vector<cv::Rect>& regions);
 
@@ -48,7 +48,7 @@ class OverlayPainter {
   const GlFunctions& gl_;
   const DrawList& draw_list_;
   std::vector<world::Light> lights_;
-  std::vector<std::size_t> on_glass_;  ///< of these
+  std::vector<std::size_t> on_glass_;  ///< indices in lights_
   Eigen::Vector3f ambient_;            ///< sRGB-encoded
   std::optional<world::Fog> fog_;
   ShaderFamily glass_programs_;

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Optical thickness of the air upwards at 680, 550 and 440 nm (Bucholtz 1995, Rayleigh).
+/// Vertical optical thickness of the air at 680, 550 and 440 nm (Bucholtz 1995, Rayleigh).
 const Eigen::Vector3f kAir(0.041F, 0.098F, 0.243F);
 constexpr float kHaze = 0.03F;
 
@@ -19,7 +19,7 @@ constexpr float kHaze = 0.03F;
 constexpr float kSunBrightness = 16.0F;
 const Eigen::Vector3f kNight(0.0012F, 0.0018F, 0.004F);
 
-/// How far the day is, 0 at sunrise and 1 at sunset; at night on to 2, at the next sunrise.
+/// The progress of the day: 0 at sunrise, 1 at sunset, and on to 2 at the next sunrise.
 double dayProgress(const world::Sky& sky) {
   const auto wrapped = [](double hours) { return hours - 24.0 * std::floor(hours / 24.0); };
   const double day = wrapped(sky.sunset - sky.sunrise);
@@ -28,13 +28,13 @@ double dayProgress(const world::Sky& sky) {
   return 1.0 + (since - day) / (24.0 - day);
 }
 
-/// Thicknesses of the atmosphere before the sun (Kasten and Young 1989).
+/// The relative air mass towards the sun, given the sine of its elevation (Kasten and Young 1989).
 double airMass(double sine) {
   const double s = std::clamp(sine, 0.0, 1.0);
   return 1.0 / (s + 0.50572 * std::pow(6.07995 + std::asin(s) * 180.0 / M_PI, -1.6364));
 }
 
-/// How much of the sun still lights the sky: it fades from its setting to the end of civil
+/// The share of the sun that still lights the sky, which fades from sunset to the end of civil
 /// twilight.
 double daylight(double sine) {
   constexpr double kDark = -0.1045;  // the sine of 6 degrees below the horizon
@@ -42,7 +42,7 @@ double daylight(double sine) {
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// A clear sky changes slowly.
+/// The panorama's height; a clear sky varies slowly and needs fewer rows.
 int skyRows(const world::Sky& sky) { return sky.cloud_humidity > 0.0 ? 512 : 256; }
 
 }  // namespace

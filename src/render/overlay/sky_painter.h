@@ -16,36 +16,37 @@
 
 namespace synthetic_dataset::render {
 
-/// Where the sun stands: the unit vector towards it.
+/// The unit vector towards the sun.
 ///
 /// By day it is where the first directional light comes from, so that shadows agree with the sky;
-/// without such a light, and at night, it follows the time: up at sunrise in the east (+x), at its
-/// highest in the south (-y) at 60 degrees, down at sunset in the west.
+/// without such a light, and at night, it follows the time: it rises in the east (+x), is highest
+/// in the south (-y) at 60 degrees, and sets in the west.
 [[nodiscard]] Eigen::Vector3d sunDirection(const world::Sky& sky,
                                            const std::vector<world::Light>& lights);
 
-/// sky.frag with all that stays the same of a sky.
-/// @param macros  lines before it
+/// The program of sky.frag, with every uniform that is constant for a sky set.
+/// @param macros  lines to insert at its beginning
 [[nodiscard]] ShaderProgram makeSkyProgram(const GlFunctions& gl, const world::Sky& sky,
                                            const std::string& macros);
 
-/// Tells such a program where the sun stands.
-/// @param sun  as of sunDirection()
+/// Sets the position of the sun in such a program.
+/// @param sun  as from sunDirection()
 void setSun(const ShaderProgram& program, const Eigen::Vector3d& sun);
 
-/// Paints the sky where nothing is drawn. What it paints depends on the view alone.
+/// Paints the sky where nothing is drawn. For given lights, what it paints depends on the view and
+/// the exposure only.
 class SkyPainter {
  public:
   /// @param encoded  whether what is painted is encoded and exposed later (shown.glsl)
   SkyPainter(const GlFunctions& gl, const world::Sky& sky, const std::vector<world::Light>& lights,
              bool encoded);
 
-  /// The sun stands where the first directional light comes from.
+  /// Places the sun according to the lights, as sunDirection() does.
   void setLights(const std::vector<world::Light>& lights) const;
 
   /// Fills the pixels of the bound target that are still at the far plane.
-  /// @param exposure  multiplies its light
-  /// @param regions  of the picture, the only ones that are painted
+  /// @param exposure  multiplies the sky's light
+  /// @param regions  of the picture; only these are painted
   void paint(const View& view, float exposure, const std::vector<cv::Rect>& regions) const;
 
  private:
@@ -54,13 +55,13 @@ class SkyPainter {
   RectangleDrawing drawing_;
 };
 
-/// Draws all of a sky, as the light that it is: by the program that paints it, but without the sun.
+/// Draws the whole sky as linear light, with the program that paints it, but without the sun.
 class SkyPanorama {
  public:
   SkyPanorama(const GlFunctions& gl, const world::Sky& sky);
 
-  /// @param sun  as of sunDirection()
-  /// @return as PanoramaLight takes it
+  /// @param sun  as from sunDirection()
+  /// @return a panorama in the form that PanoramaLight takes
   [[nodiscard]] cv::Mat draw(const Eigen::Vector3d& sun) const;
 
  private:

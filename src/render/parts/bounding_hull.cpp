@@ -11,7 +11,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// What is below `offset` in a direction.
+/// The points p with normal * p <= offset.
 struct HalfSpace {
   Eigen::Vector3d normal;  ///< of unit length
   double offset;           ///< [m]
@@ -42,7 +42,8 @@ std::vector<HalfSpace> halfSpacesRound(const world::Mesh& mesh) {
   return spaces;
 }
 
-/// Corners are where three of the planes meet, within all others.
+/// The corners of the half-spaces' intersection: the points where three of the planes meet, inside
+/// all the others.
 /// @param tolerance  [m]
 std::vector<Eigen::Vector3d> meetingPoints(const std::vector<HalfSpace>& spaces, double tolerance) {
   constexpr double kParallel = 1e-9;
@@ -77,7 +78,7 @@ std::vector<Eigen::Vector3d> meetingPoints(const std::vector<HalfSpace>& spaces,
 std::vector<Eigen::Vector3d> BoundingHull::cornersWith(double margin) const {
   if (margin == 0.0 || corners.empty()) return corners;
   if (margin < radius) {
-    // Made larger about its inner ball's centre, a convex body grows by the margin at least.
+    // Scaled about its inner ball's centre, a convex body grows by at least the margin.
     std::vector<Eigen::Vector3d> grown;
     for (const Eigen::Vector3d& corner : corners) {
       grown.emplace_back(centre + (1.0 + margin / radius) * (corner - centre));

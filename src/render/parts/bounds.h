@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::render {
 
-/// A box along the axes of its frame; empty until something is in it.
+/// An axis-aligned box; empty until something is added to it.
 using Bounds = Eigen::AlignedBox3d;
 
 /// The corners of bounds that are not empty.

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// A flat thing of this size is ground: as a caster it would only stretch the shadow map.
+/// A flat item larger than this is ground: as a caster it would only stretch the shadow map.
 constexpr double kLargestFlatCaster = 20.0;  // [m]
 
 Bounds meshBounds(const world::Mesh& mesh) {
@@ -33,7 +33,7 @@ bool seenThrough(const world::Mesh& mesh) {
                      [](const Eigen::Vector4f& colour) { return colour.w() < 1.0F; });
 }
 
-/// What the diffuse picture's alpha means; nothing where it is 1 everywhere.
+/// What the diffuse texture's alpha means; no features if it is 1 everywhere.
 SurfaceFeatures alphaFeatures(const world::Material& material, bool opaque) {
   if (opaque) return 0;
   if (material.texture_is_glass) return feature::kGlass | feature::kHoles;
@@ -73,7 +73,8 @@ DrawList::DrawList(const GlFunctions& gl, const std::vector<world::LinkInstance>
   }
 }
 
-/// Of what is transparent by its picture alone, the texels that are not stay there.
+/// Makes labels leave out a transparent item if GlassInLabels says so. If only its texture makes it
+/// transparent, they still show its opaque texels.
 void DrawList::seeThroughInLabels(DrawItem& item) const {
   const bool is_chosen = glass_ == GlassInLabels::kClear ||
                          (glass_ == GlassInLabels::kOfObjects && item.identifier == 0);
@@ -87,7 +88,7 @@ void DrawList::seeThroughInLabels(DrawItem& item) const {
 void DrawList::place(const world::Visual& visual, const world::Surface& surface, DrawItem& item) {
   item.X_LV = visual.X_LV;
   item.casts_shadow = visual.casts_shadow && !item.transparent && !isLargeAndFlat(item.bounds_V);
-  // What stands still casts its shadow but once.
+  // What never moves casts its shadow only once, so this would not pay.
   item.casts_by_front =
       item.casts_shadow && !item.stands_still && !item.has_holes && isSurfaceOfBodies(surface.mesh);
   if (!item.stands_still || item.transparent) item.hull_V = &hullOf(*surface.mesh);
@@ -120,7 +121,7 @@ DrawItem DrawList::makeItem(const std::shared_ptr<const world::Mesh>& mesh,
   return item;
 }
 
-/// Finds what an item's material asks for.
+/// Determines the textures and features that an item's material requires.
 void DrawList::dress(DrawItem& item) {
   const world::Material& material = *item.material;
   item.features = 0;
@@ -145,7 +146,7 @@ void DrawList::dress(DrawItem& item) {
     if (!isClassic() || hasGlowOfItsOwn(material)) {
       use(material.emissive_map, colours, feature::kEmissiveMap, names.emissive);
     }
-    if (isClassic()) return;  // whose highlights are the same all over a surface
+    if (isClassic()) return;  // whose highlights do not vary over a surface
     use(material.roughness_map, PixelMeaning::kData, feature::kRoughnessMap, names.roughness);
     use(material.metalness_map, PixelMeaning::kData, feature::kMetalnessMap, names.metalness);
   } else {
@@ -174,7 +175,7 @@ Bounds DrawList::casterBounds(const std::vector<Pose>& X_WL, const LinkSelection
     extend(item.stands_still ? standing : moving, item, X_WL[item.link]);
   }
   if (moving.isEmpty()) return standing;
-  // In steps, so that shadow maps fit from picture to picture.
+  // In steps, so that the shadow maps of consecutive pictures match.
   constexpr double kStep = 0.5;  // [m]
   standing.extend(Eigen::Vector3d((moving.min() / kStep).array().floor() * kStep));
   standing.extend(Eigen::Vector3d((moving.max() / kStep).array().ceil() * kStep));

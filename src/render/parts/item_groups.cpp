@@ -8,8 +8,8 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// More items than this share one box around all of them: work with hulls takes longer
-/// with their corners.
+/// If a group has more items than this, one box around all of them is used: the more corners, the
+/// longer hulls take.
 constexpr std::size_t kMostHulls = 4;
 
 Bounds withMargin(const Bounds& bounds, double margin) {
@@ -17,7 +17,7 @@ Bounds withMargin(const Bounds& bounds, double margin) {
   return {bounds.min() - beside, bounds.max() + beside};
 }
 
-/// The corners of items' bounds, grown by a margin.
+/// The corners of items' hulls or bounds, grown by a margin.
 std::vector<Eigen::Vector3d> cornersWith(const std::vector<const DrawItem*>& items,
                                          const std::vector<Pose>& X_WL, double margin) {
   if (items.size() > kMostHulls) {
@@ -41,7 +41,7 @@ std::vector<Eigen::Vector3d> cornersWith(const std::vector<const DrawItem*>& ite
 std::vector<std::vector<Eigen::Vector3d>> hullsOfGroups(
     const std::vector<DrawItem>& items, const std::vector<Pose>& X_WL, double margin,
     const std::function<bool(const DrawItem&)>& is_chosen) {
-  // By object or, of others, by link.
+  // By object or, for items that are of none, by link.
   std::map<std::pair<bool, std::size_t>, std::vector<const DrawItem*>> groups;
   for (const DrawItem& item : items) {
     if (item.bounds_V.isEmpty() || !is_chosen(item)) continue;

@@ -68,7 +68,7 @@ MeshBuffers::MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh, PixelMe
   if (hasColours(mesh)) addColours(mesh, colours);
 }
 
-/// They have a buffer of their own: most meshes have none.
+/// Colours have a separate buffer, as most meshes have none.
 void MeshBuffers::addColours(const world::Mesh& mesh, PixelMeaning meaning) {
   constexpr GLuint kBinding = 1;
   std::vector<Eigen::Vector4f> colours;

@@ -12,10 +12,10 @@ namespace synthetic_dataset::render {
 /// Whether each vertex has a colour.
 [[nodiscard]] bool hasColours(const world::Mesh& mesh);
 
-/// A mesh in the renderer's memory.
+/// A mesh in OpenGL's buffers.
 class MeshBuffers {
  public:
-  /// @param colours  whether vertices' colours are to be linear, or data as they are
+  /// @param colours  whether vertices' colours are made linear, or are kept as data
   MeshBuffers(const GlFunctions& gl, const world::Mesh& mesh, PixelMeaning colours);
 
   void draw() const;
@@ -25,7 +25,7 @@ class MeshBuffers {
 
   const GlFunctions& gl_;
   GlBuffer vertices_;
-  GlBuffer colours_;  // none for meshes without
+  GlBuffer colours_;  // empty for meshes without colours
   GlBuffer indices_;
   GlVertexArray layout_;
   GLsizei index_count_ = 0;
@@ -37,7 +37,7 @@ class MeshLibrary {
   explicit MeshLibrary(const GlFunctions& gl, PixelMeaning colours = PixelMeaning::kColour)
       : gl_(gl), colours_(colours) {}
 
-  /// The reference stays good as long as the library.
+  /// The reference is valid as long as the library exists.
   [[nodiscard]] const MeshBuffers& get(const std::shared_ptr<const world::Mesh>& mesh);
 
  private:

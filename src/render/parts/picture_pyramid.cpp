@@ -12,14 +12,14 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// As std::floor(), for which processors have no instruction that all of them have.
+/// Like std::floor(), for which not all processors have an instruction.
 /// @param numbers  from -2^31 up to 2^31
 Lanes floorOf(const Lanes& numbers) {
   const Lanes nearer_to_0 = cv::v_cvt_f32(cv::v_trunc(numbers));
   return nearer_to_0 - (lanes(1.0F) & (nearer_to_0 > numbers));
 }
 
-/// Beyond whole numbers; 0 for numbers so large that they are whole.
+/// The fractional parts; 0 for numbers so large that they are integers.
 Lanes fractionOf(const Lanes& numbers) {
   const Lanes small = numbers & (cv::v_abs(numbers) < lanes(0x1p23F));
   return small - floorOf(small);
@@ -31,13 +31,13 @@ Lanes texelAt(const std::uint16_t* row, int column) {
       cv::v_reinterpret_as_s32(cv::v_load_expand(row + std::ptrdiff_t{4} * column)));
 }
 
-/// The texels before and after each of four places along a side of a picture, which goes on at the
-/// opposite edge.
+/// The texels before and after each of four places along a side of a picture that repeats beyond
+/// its edges.
 struct TexelsBeside {
-  /// @param fractions  of the places, from 0 to 1, in the side's length
+  /// @param fractions  the places, from 0 to 1, as shares of the side's length
   TexelsBeside(const Lanes& fractions, int length) {
     const Lanes places = fractions * lanes(static_cast<float>(length)) - lanes(0.5F);
-    const Lanes first = floorOf(places);  // from -1 on
+    const Lanes first = floorOf(places);  // -1 or more
     const cv::v_int32x4 end = cv::v_setall_s32(length);
     const cv::v_int32x4 zero = cv::v_setzero_s32();
     const cv::v_int32x4 from = cv::v_trunc(first);
@@ -48,16 +48,16 @@ struct TexelsBeside {
   }
 
   std::array<int, kLaneCount> before{}, after{};
-  std::array<float, kLaneCount> share{};  ///< of the one after
+  std::array<float, kLaneCount> share{};  ///< of the texel after
 };
 
-/// Four places on a picture of a pyramid.
+/// Four places on a level of a pyramid.
 class PlacesOnLevel {
  public:
   PlacesOnLevel(const Lanes& x, const Lanes& y, const cv::Mat& level)
       : level_(level), columns_(x, level.cols), rows_(y, level.rows) {}
 
-  /// Between the four texels around a place.
+  /// The colour interpolated between the four texels around a place.
   [[nodiscard]] Lanes mixedAt(std::size_t place) const {
     const auto* above = level_.ptr<std::uint16_t>(rows_.before[place]);
     const auto* below = level_.ptr<std::uint16_t>(rows_.after[place]);
@@ -80,14 +80,15 @@ Eigen::Vector4f colourOf(const Lanes& sum, float count) {
   return {bgra[2], bgra[1], bgra[0], bgra[3]};
 }
 
-constexpr std::size_t kMostTaps = 4;  // to a side of a pixel
+constexpr std::size_t kMostTaps = 4;  // along a side of a pixel
 
-/// Where a pixel's texture is looked up: from its middle, in the pixel's steps, row by row.
+/// Where a pixel's texture is looked up: relative to its middle, in units of the pixel's steps, row
+/// by row.
 struct Taps {
   std::array<float, kMostTaps * kMostTaps> right{}, down{};
 };
 
-/// By how many there are to a row, less one, and to a column.
+/// Indexed by the number of taps in a row, minus one, and in a column, minus one.
 constexpr std::array<std::array<Taps, kMostTaps>, kMostTaps> makeTaps() {
   std::array<std::array<Taps, kMostTaps>, kMostTaps> all{};
   const auto middle = [](std::size_t i, std::size_t count) {
@@ -124,10 +125,10 @@ Eigen::Vector4f PicturePyramid::mean(const Eigen::Vector2f& place, const Eigen::
   constexpr auto kMost = static_cast<float>(kMostTaps);
   const float width = inTexels(across).norm();
   const float height = inTexels(along).norm();
-  // Each tap covers a square, half as wide as the pixel where it is narrow.
+  // Each tap covers a square that is half as wide as the pixel's narrower side.
   const float side =
       std::max({0.5F * std::min(width, height), std::max(width, height) / kMost, 0.5F});
-  // 1 for what is no number: a ray along a triangle's plane meets it anywhere.
+  // 1 for NaN, as from a ray in a triangle's plane, which meets it at no definite place.
   const auto taps = [&](float length) {
     const float wanted = std::max(1.0F, std::ceil(length / side - 0.01F));
     return static_cast<std::size_t>(std::min(wanted, kMost));
@@ -159,7 +160,7 @@ Eigen::Vector4f PicturePyramid::sample(const Eigen::Vector2f& place, const Eigen
 /// Adds the colours of the first places to a sum, one after the other.
 Lanes PicturePyramid::sumAt(FourPlaces places, int count, float level, Lanes sum) const {
   const auto last = static_cast<float>(levels_.size() - 1);
-  const float within = std::min(std::max(0.0F, level), last);  // 0 for what is no number
+  const float within = std::min(std::max(0.0F, level), last);  // 0 for NaN
   const auto lower = static_cast<std::size_t>(within);
   const float share = within - static_cast<float>(lower);
   const Lanes x = fractionOf(places.x);
@@ -185,7 +186,7 @@ std::shared_ptr<const PicturePyramid> PyramidLibrary::get(
 }
 
 void PyramidLibrary::forgetUnused() {
-  std::map<const world::Texture*, long> held_here;  // twice where it is colours and data
+  std::map<const world::Texture*, long> held_here;  // twice if used as both colours and data
   for (const auto& [key, pyramid] : pyramids_) ++held_here[key.first.get()];
   for (auto entry = pyramids_.begin(); entry != pyramids_.end();) {
     const auto& texture = entry->first.first;

@@ -14,25 +14,25 @@
 
 namespace synthetic_dataset::render {
 
-/// A texture as OpenGL would filter it (GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT), for what is found
+/// A texture that is filtered as by OpenGL (GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT), for lookups
 /// without OpenGL.
 class PicturePyramid {
  public:
   PicturePyramid(const world::Texture& texture, PixelMeaning meaning);
 
-  /// Red, green, blue and alpha, the mean over the parallelogram of two steps around a place.
+  /// The mean red, green, blue and alpha over the parallelogram that two steps span around a place.
   /// Colours are linear.
-  /// @param across, along  a pixel's step on the picture to the right and down, in its widths and
-  ///     heights
+  /// @param across, along  a pixel's step on the picture to the right and down, in units of the
+  ///     picture's width and height
   [[nodiscard]] Eigen::Vector4f mean(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                      const Eigen::Vector2f& along) const;
 
-  /// As OpenGL has it: the same in all directions, by the longer step.
+  /// The colour as OpenGL filters it: equally in all directions, by the longer step.
   [[nodiscard]] Eigen::Vector4f sample(const Eigen::Vector2f& place, const Eigen::Vector2f& across,
                                        const Eigen::Vector2f& along) const;
 
  private:
-  /// Four places on a picture, in its widths and heights.
+  /// Four places on a picture, in units of its width and height.
   struct FourPlaces {
     Lanes x, y;
   };
@@ -40,16 +40,16 @@ class PicturePyramid {
   [[nodiscard]] Eigen::Vector2f inTexels(const Eigen::Vector2f& step) const;
   [[nodiscard]] Lanes sumAt(FourPlaces places, int count, float level, Lanes sum) const;
 
-  std::vector<cv::Mat> levels_;  ///< CV_16UC4 as toLight() has them, the largest first
+  std::vector<cv::Mat> levels_;  ///< CV_16UC4 as returned by toLight(), the largest first
 };
 
-/// Makes each texture's pyramid once for each meaning, when it is first asked for.
+/// Makes each texture's pyramid once for each meaning, when first requested.
 class PyramidLibrary {
  public:
   [[nodiscard]] std::shared_ptr<const PicturePyramid> get(
       const std::shared_ptr<const world::Texture>& texture, PixelMeaning meaning);
 
-  /// Lets go of pictures that nobody else holds any more.
+  /// Releases pictures that nothing else uses any more.
   void forgetUnused();
 
  private:

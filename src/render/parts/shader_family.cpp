@@ -26,7 +26,7 @@ constexpr std::array<Macro, 12> kMacros = {{{feature::kTextured, "TEXTURED"},
                                             {feature::kShadows, "SHADOWS"},
                                             {feature::kNearLimit, "NEAR_LIMIT"}}};
 
-/// The source with the features' macros after its first line, where GLSL wants its #version.
+/// The source with the features' macros after its first line, which GLSL requires to be #version.
 std::string withMacros(const std::string& source, SurfaceFeatures features, std::string macros) {
   const std::size_t first_line = source.find('\n') + 1;
   for (const Macro& macro : kMacros) {

@@ -7,24 +7,24 @@
 
 namespace synthetic_dataset::render {
 
-/// The light that a dielectric throws back head-on, from the strength of its specular colour
-/// (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR": 0.16 r^2).
+/// The share of light that a dielectric reflects at normal incidence, from the strength of its
+/// specular colour (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR": 0.16 r^2).
 [[nodiscard]] float reflectance(const world::Material& material);
 
-/// Tells a program what an item is made of, and binds its pictures but the diffuse one.
-/// @param simulator  Gazebo Classic's light has the diffuse colour elsewhere (ClassicLight)
+/// Sets a program's uniforms for an item's material, and binds its textures except the diffuse one.
+/// @param simulator  for Gazebo Classic, the diffuse colour is in ClassicLight instead
 void setMaterial(const GlFunctions& gl, const ShaderProgram& program, const DrawItem& item,
                  world::Simulator simulator);
 
-/// Tells a program of the picture with the holes, and where it lies: all that every pass has to
-/// know of a material.
+/// Binds the diffuse texture, which determines holes, and sets its placement and threshold: the
+/// part of a material that every pass needs.
 void bindHoles(const GlFunctions& gl, const ShaderProgram& program, const DrawItem& item);
 
-/// What a view asks of the programs of all surfaces.
+/// The features that a view requires of all surfaces' programs.
 [[nodiscard]] SurfaceFeatures featuresOf(const View& view);
 
-/// Draws an item as the camera sees it, with a program whose vertex stage is mesh.vert
-/// and which has the view's features.
+/// Draws an item as the camera sees it, with a program whose vertex stage is mesh.vert and which
+/// has the view's features.
 /// @param X_WL  of the item's link
 void drawSurface(const GlFunctions& gl, const ShaderProgram& program, const DrawItem& item,
                  const View& view, const Pose& X_WL);

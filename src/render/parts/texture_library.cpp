@@ -30,7 +30,7 @@ const UploadedTexture& TextureLibrary::get(const std::shared_ptr<const world::Te
 }
 
 void TextureLibrary::forgetUnused() {
-  std::map<const world::Texture*, long> held_here;  // twice where it is colours and data
+  std::map<const world::Texture*, long> held_here;  // twice if used as both colours and data
   for (const auto& [key, uploaded] : textures_) ++held_here[key.first.get()];
   for (auto entry = textures_.begin(); entry != textures_.end();) {
     const auto& texture = entry->first.first;

@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::render {
 
-/// A picture in the renderer's memory.
+/// A picture as an OpenGL texture.
 struct UploadedTexture {
   GlTexture texture;
   bool opaque = true;  ///< its alpha is 1 everywhere
@@ -21,12 +21,12 @@ class TextureLibrary {
  public:
   explicit TextureLibrary(const GlFunctions& gl) : gl_(gl) {}
 
-  /// The reference stays good as long as the library.
-  /// @throws Error if the texture's pixels are not of four channels
+  /// The reference is valid as long as the texture is used elsewhere, too (forgetUnused()).
+  /// @throws Error if the texture's pixels do not have four channels
   [[nodiscard]] const UploadedTexture& get(const std::shared_ptr<const world::Texture>& texture,
                                            PixelMeaning meaning);
 
-  /// Lets go of pictures that nobody else holds any more.
+  /// Releases pictures that nothing else uses any more.
   void forgetUnused();
 
  private:

@@ -12,7 +12,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Four pixels' places in a shadow map [texel]; below 0 for what is behind the light.
+/// The places of four pixels in a shadow map [texel]; below 0 behind the light.
 struct FourInMap {
   Lanes columns, rows;
 };
@@ -23,8 +23,8 @@ FourInMap divided(const Lanes& columns, const Lanes& rows, const Lanes& w) {
   return {cv::v_select(is_before, columns / w, behind), cv::v_select(is_before, rows / w, behind)};
 }
 
-/// Where four points are in a map.
-/// @param from_camera  to w times column, w times row, any, w
+/// The places of four points in a map.
+/// @param from_camera  to w times column, w times row, (unused,) w
 FourInMap findInMap(const Eigen::Matrix4f& from_camera, const Lanes3& p_C) {
   const auto times = [&](int row) {
     return dot(lanes(Eigen::Vector3f(from_camera.block<1, 3>(row, 0))), p_C) +
@@ -33,10 +33,11 @@ FourInMap findInMap(const Eigen::Matrix4f& from_camera, const Lanes3& p_C) {
   return divided(times(0), times(1), times(3));
 }
 
-/// Where the pixels of a row look at a shadow map.
+/// Finds the places of a row's pixels in a shadow map.
 class RowInMap {
  public:
-  /// @param from_pixel  from (u, v, 1) times depth, and 1, to w times column, w times row, any, w
+  /// @param from_pixel  from (u, v, 1) times depth, and 1, to w times column, w times row,
+  ///   (unused,) w
   RowInMap(const Eigen::Matrix4f& from_pixel, int v)
       : from_pixel_(from_pixel),
         across_(from_pixel.col(1) * static_cast<float>(v) + from_pixel.col(2)) {}
@@ -71,9 +72,9 @@ cv::Mat ChangedPixels::find(const PossibleChanges& regions, const SeenGeometry& 
 cv::Mat ChangedPixels::withEdges(const cv::Mat& pixels, const PossibleChanges& regions,
                                  const cv::Mat& edges) {
   if (edges.empty()) return pixels;
-  // Pixels by an edge take light from those around them,
+  // Pixels at an edge take light from those around them,
   cv::Mat grown;
-  cv::dilate(pixels, grown, cv::Mat());  // by one
+  cv::dilate(pixels, grown, cv::Mat());  // by one pixel
   // and what moves may cover a part of one whose centre it does not cover.
   return grown | (edges & regions.surfaces);
 }
@@ -98,7 +99,7 @@ void ChangedPixels::markNear(const SeenGeometry& seen, cv::Mat& pixels) {
   marked.setTo(255, distances <= seen.reaches);
 }
 
-/// @param candidates  the pixels that are looked at
+/// @param candidates  the pixels to test
 void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& seen,
                                const ChangedTexels& texels, cv::Mat& pixels) const {
   if (texels.place.empty()) return;
@@ -120,7 +121,7 @@ void ChangedPixels::markShaded(const cv::Mat& candidates, const SeenGeometry& se
     std::array<float, std::size_t{3} * kLaneCount> ray_room;
     for (int column = 0; column < seen.place.width; column += kLaneCount) {
       const int count = std::min(kLaneCount, seen.place.width - column);
-      int open = 0;  // a bit for each pixel that may be in another shadow
+      int open = 0;  // a bit for each pixel whose shadow may have changed
       for (int i = 0; i < count; ++i) {
         const int u = column + i;
         const bool is_open = is_candidate[u] != 0 && marked[u] == 0 && items[u] != 0;

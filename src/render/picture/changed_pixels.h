@@ -12,40 +12,41 @@
 
 namespace synthetic_dataset::render {
 
-/// What the pixels of a picture see, with what moves.
+/// What the pixels of a picture see, including what moves.
 struct SeenGeometry {
   GeometryImages images;
   cv::Rect place;  ///< of these pixels in the picture
 
-  /// CV_32FC3 of the picture: what pixels look along, in whose lengths depths are; empty for those
-  /// of a pinhole.
+  /// CV_32FC3, of the picture: the pixels' rays, along which depths are measured; empty for a
+  /// pinhole camera.
   cv::Mat rays = {};
 
-  /// CV_32FC1: how far away what is seen has a part in each pixel's light [px]; empty where nothing
-  /// has.
+  /// CV_32FC1: up to how far away what is seen affects each pixel's light [px]; empty if nothing
+  /// does.
   cv::Mat reaches = {};
 };
 
 /// Finds which pixels of a picture differ from those of a picture of what never moves.
 ///
-/// Light is what pictures cost most, so that it pays to look at each pixel within the bounds: does
-/// it see something that moves, and if not, has the shadow map changed around its place?
+/// Lighting is the most expensive part of a picture, so it pays to test each pixel within the
+/// bounds: does it see something that moves, and if not, has the shadow map changed around its
+/// place?
 class ChangedPixels {
  public:
-  /// The references have to outlive it.
+  /// The references have to outlive this.
   ChangedPixels(const DrawList& draw_list, const View& view) : draw_list_(draw_list), view_(view) {}
 
-  /// @param regions  outside of which there is nothing to be found
-  /// @param seen  the pixels of these regions at least
+  /// @param regions  outside which nothing has changed
+  /// @param seen  at least the pixels of these regions
   /// @param texels  of each shadow map
-  /// @param edges  CV_8UC1, not 0 where pixels show what is around their centre in a picture of
-  ///     what never moves; empty where all pixels show what is at their centre
-  /// @return CV_8UC1, 255 for such pixels, else 0
+  /// @param edges  CV_8UC1, not 0 where pixels of the picture of what never moves are smoothed;
+  ///   empty if no pixels are
+  /// @return CV_8UC1, 255 for pixels that differ, else 0
   [[nodiscard]] cv::Mat find(const PossibleChanges& regions, const SeenGeometry& seen,
                              const std::vector<ChangedTexels>& texels, const cv::Mat& edges) const;
 
-  /// The pixels that differ because pixels beside them do.
-  /// @param pixels  that differ by what their centres see; not written to
+  /// Adds the pixels that differ because pixels beside them do.
+  /// @param pixels  those that differ in what their centres see; not written to
   [[nodiscard]] static cv::Mat withEdges(const cv::Mat& pixels, const PossibleChanges& regions,
                                          const cv::Mat& edges);
 

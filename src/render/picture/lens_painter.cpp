@@ -21,17 +21,17 @@ namespace {
 
 cv::Mat allPixels(const cv::Size& size) { return {size, CV_8UC1, cv::Scalar(255)}; }
 
-/// A picture through a lens whose light is still to be found.
+/// A picture through a lens whose light is still to be computed.
 struct UnlitLens {
   std::shared_ptr<const LensSight> sight;
-  cv::Mat elsewhere;              ///< CV_8UC3: what is not in `pixels`
-  cv::Mat pixels;                 ///< CV_8UC1: 255 for the other pixels
-  std::vector<cv::Rect> regions;  ///< around these
-  cv::Mat wanted;                 ///< CV_8UC1: these, and those by them where edges are smooth
+  cv::Mat elsewhere;              ///< CV_8UC3: all pixels that are not in `pixels`
+  cv::Mat pixels;                 ///< CV_8UC1: 255 for the pixels to light
+  std::vector<cv::Rect> regions;  ///< contain all of `pixels`
+  cv::Mat wanted;                 ///< CV_8UC1: `pixels`, and their neighbours if edges are smooth
   std::vector<cv::Rect> wanted_regions;
-  cv::Mat known;                 ///< CV_8UC1: not 0 for those whose surfaces the wanted ones need
-  cv::Rect place;                ///< around them
-  std::vector<UnlitPixels> lit;  ///< in one or in bands, whose surfaces are still to be found
+  cv::Mat known;                 ///< CV_8UC1: not 0 for pixels whose surfaces the wanted ones need
+  cv::Rect place;                ///< contains all of `known`
+  std::vector<UnlitPixels> lit;  ///< all, or one per band; their surfaces are still to be found
   EdgeScene scene;
   StandingSurfaces standing = {};
   GeometryPlanes planes = {};
@@ -39,14 +39,14 @@ struct UnlitLens {
   bool smooth = false;
 };
 
-/// A part of images, in their own coordinates.
+/// A part of images, given in the images' coordinates.
 SurfaceImages cut(const SurfaceImages& images, const cv::Rect& part) {
   const auto of = [&](const cv::Mat& image) { return image.empty() ? image : image(part); };
   return {of(images.base_roughness), of(images.normal_metalness), of(images.faces),
           of(images.glows)};
 }
 
-/// The light of all that is to be lit: CV_16UC4 of the place.
+/// The light of all of `picture.lit`: CV_16UC4 of the place.
 cv::Mat lightOf(const UnlitLens& picture, const SurfaceImages& surfaces) {
   cv::Mat light;
   for (UnlitPixels unlit : picture.lit) {
@@ -69,7 +69,7 @@ SurfaceImages surfacesOf(const UnlitLens& picture) {
                     picture.known, picture.standing);
 }
 
-/// @param edges  gets the pixels of smoothed edges, if not null
+/// @param edges  receives the mask of smoothed pixels, if not null
 cv::Mat finishedThroughLens(const UnlitLens& picture, const SurfaceImages& surfaces,
                             const DrawList& draw_list, cv::Mat* edges) {
   cv::Mat result = picture.elsewhere.clone();
@@ -113,8 +113,8 @@ Occluders occludersOf(const LensSight& sight, const CameraModel& camera) {
   return {sight.distance, {cv::Point(), size}, size, camera.intrinsics(), sight.lens->rays};
 }
 
-/// Gathers what a picture's pixels are found from, but for `lit`.
-/// @param pixels  those that are not 0
+/// Gathers what a picture's pixels are computed from, except `lit`.
+/// @param pixels  CV_8UC1: not 0 for the pixels to light
 UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
                  const std::shared_ptr<const LensSight>& sight, bool smooth,
                  const cv::Mat& pixels) {
@@ -136,12 +136,12 @@ UnlitLens gather(const PictureCrew& crew, const ColourScene& scene,
   return picture;
 }
 
-/// Lights and shadows as they are drawn now, for pixels that are still to be chosen.
+/// The lights and the shadows that were drawn last, for pixels that are still to be chosen.
 UnlitPixels lightsOf(const PictureCrew& crew, const ColourScene& scene) {
   return crew.light_painter.surfacesAlone(scene, {}, crew.shadow_painter, {}, {});
 }
 
-/// Lights a picture's pixels, as far as they are in some rows.
+/// Adds a picture's pixels that are in some rows to those to light.
 /// @param lights  of these rows
 void addLit(UnlitPixels lights, const cv::Rect& rows, const ColourScene& scene,
             UnlitLens& picture) {
@@ -197,17 +197,17 @@ const LensPainter::Kept* LensPainter::kept(const ColourScene& scene, const LensS
   addLit(lightsOf(crew_, alone), {cv::Point(), size}, alone, picture);
   const SurfaceImages surfaces = surfacesOf(picture);
   here.pixels = finishedThroughLens(picture, surfaces, crew_.draw_list, &here.edges);
-  constexpr std::size_t kPixelBytes = 44;  // of surfaces, and of what sees them
+  constexpr std::size_t kPixelBytes = 44;  // of surfaces and LensSight
   const auto known_surfaces = std::count_if(
       kept_.begin(), kept_.end(), [](const Kept& each) { return each.surfaces.sight != nullptr; });
-  if (static_cast<std::size_t>(known_surfaces) < RecentViews::mostOf(kPixelBytes * size.area())) {
+  if (static_cast<std::size_t>(known_surfaces) < RecentViews::maxKept(kPixelBytes * size.area())) {
     here.surfaces = {seen, surfaces};
   }
   return &here;
 }
 
-/// CV_8UC1: 255 where something that moves may be seen beside pixels' centres.
-/// @param X_WL_too  where all is at some other time, between which and the scene's it moves
+/// CV_8UC1: 255 where something that moves may be seen in pixels, even outside their centres.
+/// @param X_WL_too  the poses at another time; links move between the scene's poses and these
 cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene,
                                       const std::vector<Pose>& X_WL_too) const {
   const cv::Rect image(0, 0, scene.view.camera.width(), scene.view.camera.height());
@@ -239,7 +239,7 @@ cv::Mat LensPainter::possibleSurfaces(const ColourScene& scene,
 
 namespace {
 
-/// Where there is no glass, but a shadow may be anywhere.
+/// The possible changes if there is no glass, but shadows may be anywhere.
 PossibleChanges changesOf(const cv::Size& size) {
   return {cv::Mat::zeros(size, CV_8UC1), cv::Mat::zeros(size, CV_8UC1), allPixels(size)};
 }
@@ -290,13 +290,13 @@ PendingPicture LensPainter::paint(const ColourScene& scene, const LinkSelection&
   return pending(std::move(picture), crew_.draw_list);
 }
 
-/// Rows that have one time of their lights and shadows.
+/// Rows whose lights and shadows are of the same time.
 struct LensPainter::Band {
   cv::Rect rows;
   RollingMoment begin, middle, end;
   View view;
   CasterPoses casters;
-  std::vector<LinkSelection> moving;  ///< as ShadowPainter::paint() has them
+  std::vector<LinkSelection> moving;  ///< as for ShadowPainter::paint()
 
   [[nodiscard]] ColourScene scene(const ColourScene& whole) const {
     ColourScene here{view, middle.X_WL, whole.drawn, whole.shadows, whole.exposure};
@@ -343,7 +343,7 @@ PendingPicture LensPainter::paintInRows(const ColourScene& scene, const RollingV
   PossibleChanges possible = changesOf(size);
   cv::Mat pixels;
   if (before != nullptr) {
-    // What is near to what moves may be in another band.
+    // Pixels near something that moves may be in another band.
     pixels =
         ChangedPixels(crew_.draw_list, scene.view).find(possible, seenBy(*sight, scene), {}, {});
   }

@@ -14,28 +14,29 @@
 
 namespace synthetic_dataset::render {
 
-/// Makes pictures through lenses with distortion of which all that is seen is a surface.
+/// Makes pictures through lenses with distortion that show opaque surfaces only, without sky,
+/// background picture or glass.
 ///
 /// What each pixel's own ray sees is found first (LensEye), then lit once, and edges are smoothed
-/// by what the samples' own rays see. As with PicturePainter, what never moves is kept with its
+/// with what the samples' own rays see. As in PicturePainter, what never moves is kept with its
 /// light.
 class LensPainter {
  public:
   LensPainter(const PictureCrew& crew, LensEye& eye) : crew_(crew), eye_(eye) {}
 
   /// @param casting  the links that cast shadows
-  /// @param smooth  edges by several samples a pixel, not the centre's alone
-  /// @param regions  the pixels that are asked for; empty for the whole picture
+  /// @param smooth  whether edges are made from several samples per pixel, not only its centre
+  /// @param regions  the pixels that are wanted; empty for the whole picture
   [[nodiscard]] PendingPicture paint(const ColourScene& scene, const LinkSelection& casting,
                                      bool smooth, const std::vector<cv::Rect>& regions);
 
-  /// The same of a picture whose rows are taken one after the other, from `rows`. Its bands have
-  /// each their own lights and shadows.
-  /// @param scene  at some time in between
+  /// Paints a picture whose rows are taken one after the other, from `rows`. Each band has its own
+  /// lights and shadows.
+  /// @param scene  at some time during the picture
   [[nodiscard]] PendingPicture paintInRows(const ColourScene& scene, const RollingView& rows,
                                            const LinkSelection& casting, bool smooth);
 
-  /// Nothing is kept of what was painted so far: all looks different now.
+  /// Forgets what was painted so far, as the look has changed.
   void forget() { kept_.clear(); }
 
  private:
@@ -43,8 +44,8 @@ class LensPainter {
   struct Key {
     std::shared_ptr<const LensMap> lens;
     Eigen::Matrix4d X_WC;
-    LinkSelection drawn;    ///< of what never moves
-    LinkSelection casting;  ///< of what never moves
+    LinkSelection drawn;    ///< those that never move
+    LinkSelection casting;  ///< those that never move
     std::vector<Eigen::Matrix4d> shadows;
     float exposure = 0.0F;
     LightDetail detail = LightDetail::kSimple;
@@ -54,9 +55,9 @@ class LensPainter {
   };
   struct Kept {
     Key key;
-    cv::Mat pixels;  ///< empty until the key comes a second time; never written to
-    cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
-    StandingSurfaces surfaces;  ///< of some, as long as there is room
+    cv::Mat pixels;             ///< empty until the key occurs a second time; never written to
+    cv::Mat edges;              ///< CV_8UC1: 255 where `pixels` are smoothed; empty if none are
+    StandingSurfaces surfaces;  ///< kept as long as there is room
   };
 
   [[nodiscard]] const Kept* kept(const ColourScene& scene, const LensSight& sight,
@@ -70,7 +71,7 @@ class LensPainter {
 
   PictureCrew crew_;
   LensEye& eye_;
-  std::vector<Kept> kept_;  ///< the last used first
+  std::vector<Kept> kept_;  ///< the most recently used first
 };
 
 }  // namespace synthetic_dataset::render

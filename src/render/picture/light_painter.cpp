@@ -21,7 +21,8 @@ bool showsNothing(const SeenSurfaces& seen, const std::vector<cv::Rect>& regions
   });
 }
 
-/// @param surfaces, overlay  CV_16UC4; of the second, alpha is how much of the first passes
+/// @param surfaces, overlay  CV_16UC4; the overlay's alpha is the share of the surfaces' light that
+///     passes
 cv::Mat laidOver(const cv::Mat& surfaces, const cv::Mat& overlay) {
   const cv::Mat light = render::widened(surfaces);
   const cv::Mat before = render::widened(overlay);
@@ -46,7 +47,8 @@ cv::Mat UnlitPixels::light() const {
   const SurfaceLighter lighter(context, *items, intrinsics, nothing, seen.rays);
   const cv::Mat which = wanted(seen.place);
   cv::Mat open;
-  if (seen.occluders) open = openness(*seen.occluders, seen.geometry.normals, seen.place, which);
+  if (seen.occluders)
+    open = ambientVisibility(*seen.occluders, seen.geometry.normals, seen.place, which);
   cv::Mat result = lighter.light(seen.geometry, seen.surfaces, seen.place, regions, which, open);
   if (!overlay.empty()) result = laidOver(result, overlay);
   if (context.simulator == world::Simulator::kClassic) {
@@ -81,10 +83,10 @@ void LightPainter::setLook(const world::Look& look) {
 
 void LightPainter::findPartLights() {
   item_lights_ =
-      std::make_shared<std::vector<ItemLight>>(partLights(draw_list_.items(), simulator_));
+      std::make_shared<std::vector<ItemLight>>(itemLights(draw_list_.items(), simulator_));
 }
 
-/// The background's light, as that of surfaces is found.
+/// The background's light, in the form that surfaces' light has.
 Eigen::Vector3f LightPainter::nothing(float exposure) const {
   if (overlay_painter_.hasBackground()) return Eigen::Vector3f::Zero();
   if (simulator_ == world::Simulator::kClassic) return background_;

@@ -23,65 +23,67 @@ struct SeenSurfaces {
   SurfaceImages surfaces;
   cv::Rect place;  ///< of these pixels in the picture
 
-  /// CV_32FC3 of the picture: what pixels look along, in whose lengths depths are; empty for those
-  /// of a pinhole.
+  /// CV_32FC3, of the picture: the pixels' rays, along which depths are measured; empty for a
+  /// pinhole camera.
   cv::Mat rays = {};
 
-  /// What may hide these from the light that is everywhere; nothing with simple light.
+  /// The surfaces that may occlude ambient light; nothing with simple light.
   std::optional<Occluders> occluders = std::nullopt;
 };
 
-/// Pixels whose light is to be found, when and in which thread ever.
+/// Pixels whose light is still to be computed, at any time and in any thread.
 struct UnlitPixels {
   SeenSurfaces seen;
-  std::vector<cv::Rect> regions;  ///< of the picture, around those that are wanted
-  cv::Mat wanted;         ///< CV_8UC1 of the picture: not 0 for these; what others hold is not sure
+  std::vector<cv::Rect> regions;  ///< of the picture; contain all wanted pixels
+  cv::Mat wanted;  ///< CV_8UC1, of the picture: not 0 for wanted pixels; others are undefined
   Intrinsics intrinsics;  ///< of the picture
   LightingContext context;
   std::shared_ptr<const std::vector<ItemLight>> items;
-  Eigen::Vector3f nothing;  ///< the light where no surface is, as surfaces' is found
-  cv::Mat overlay;          ///< CV_16UC4: red, green, blue, linear, and as alpha how much of the
-                            ///< surfaces' light passes; numbers of 16 bits; empty for none
+  Eigen::Vector3f nothing;  ///< the light where there is no surface, in the surfaces' form
+  cv::Mat overlay;          ///< CV_16UC4, half floats: linear red, green, blue, and as alpha the
+                            ///< share of the surfaces' light that passes; empty for none
 
-  /// @return CV_16UC4 of the place of `seen`: red, green, blue, 1, linear, numbers of 16 bits
+  /// @return CV_16UC4 of the place of `seen`, half floats: linear red, green, blue, and 1
   [[nodiscard]] cv::Mat light() const;
 };
 
-/// Gathers what it takes to find the light of what was drawn into a geometry buffer.
+/// Gathers what is needed to compute the light of what was drawn into a geometry buffer.
 class LightPainter {
  public:
-  /// @param draw_list  has to outlive this
-  /// @param detail  the most that scenes ask for
+  /// @param draw_list  has to outlive this painter
+  /// @param detail  the highest that scenes request
   LightPainter(const GlFunctions& gl, const DrawList& draw_list,
                const world::Description& description, LightDetail detail);
 
-  /// Lights and surroundings from now on; what the items look like is read from them.
+  /// Sets lights and surroundings from now on; materials are read from the draw list's items.
   void setLook(const world::Look& look);
 
-  /// What the light of surfaces is found from; with a picture, the sky or the background's colour
-  /// behind them, and what one can see through before them, if that is selected and `see_through`.
-  /// @param shadows  as they were drawn for the scene
-  /// @param target  with the depth of what is seen
-  /// @param regions  of the picture, none of them over another, around the pixels that are wanted
-  /// @param wanted  CV_8UC1 of the picture: not 0 for these; of others nothing is sure
+  /// Gathers what the light of surfaces is computed from; with a background picture, the sky or the
+  /// background's colour behind them and, with `see_through`, the selected transparent items in
+  /// front of them.
+  /// @param shadows  as drawn for the scene
+  /// @param target  has the depth of what is seen
+  /// @param regions  of the picture; do not overlap, and contain all wanted pixels
+  /// @param wanted  CV_8UC1, of the picture: not 0 for the wanted pixels; all others are undefined
   [[nodiscard]] UnlitPixels paint(const ColourScene& scene, const SeenSurfaces& seen,
                                   const ShadowPainter& shadows, const Framebuffer& target,
                                   bool see_through, const std::vector<cv::Rect>& regions,
                                   const cv::Mat& wanted);
 
-  /// The same of a picture with one colour behind all surfaces and nothing before them.
+  /// The same for a picture with a single colour behind all surfaces and nothing in front of them.
   [[nodiscard]] UnlitPixels surfacesAlone(const ColourScene& scene, const SeenSurfaces& seen,
                                           const ShadowPainter& shadows,
                                           const std::vector<cv::Rect>& regions,
                                           const cv::Mat& wanted);
 
-  /// Whether something else is behind these links, or before them, in a picture.
+  /// Whether a picture of these links has more than a single colour behind them, or transparent
+  /// items.
   [[nodiscard]] bool hasOverlay(const LinkSelection& drawn) const {
     return overlay_painter_.hasBackground() || overlay_painter_.hasGlass(drawn);
   }
 
-  /// What a picture shows where nothing is, neither sky nor another picture: blue, green, red,
-  /// sRGB-encoded.
+  /// What a picture shows where there is nothing, neither sky nor background picture: blue, green,
+  /// red, sRGB-encoded.
   [[nodiscard]] cv::Scalar backgroundPixel(float exposure) const;
 
  private:

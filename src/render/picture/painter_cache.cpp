@@ -6,14 +6,15 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// What a painter of this size takes, of geometry, light and what is kept of them [byte].
+/// The memory that a painter of this size takes, for geometry, light and what is kept of them
+/// [byte].
 std::size_t bytesOf(const cv::Size& size) {
   constexpr std::size_t kPixelBytes = 112;
   return kPixelBytes * static_cast<std::size_t>(size.area());
 }
 
-/// How many painters of this size there may be.
-std::size_t mostOf(const cv::Size& size) { return RecentViews::mostOf(bytesOf(size)); }
+/// The maximum number of painters of this size.
+std::size_t maxKept(const cv::Size& size) { return RecentViews::maxKept(bytesOf(size)); }
 
 }  // namespace
 
@@ -34,14 +35,14 @@ const PicturePainter* PainterCache::find(const View& view) const {
 
 void PainterCache::forget() {
   for (const Entry& entry : entries_) entry.painter->forget();
-  recent_.forget();  // a view that comes back looks different then
+  recent_.forget();  // what was drawn from recurring views is out of date, too
 }
 
-/// A painter for a place from which none of them drew last: one for all places that do not come
-/// back, and one for each that does, as long as there is room; of large pictures, one for all.
+/// Returns a painter for a view that no painter drew last: one for all views that do not recur, and
+/// one for each that does, as long as there is room; for large pictures, one for all.
 std::vector<PainterCache::Entry>::iterator PainterCache::freeFor(const View& view) {
   const cv::Size size(view.camera.width(), view.camera.height());
-  const bool comes_back = mostOf(size) > 1 && recent_.comesBack(view);
+  const bool comes_back = maxKept(size) > 1 && recent_.comesBack(view);
   std::size_t count = 0;
   auto last = entries_.end();
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
@@ -49,16 +50,16 @@ std::vector<PainterCache::Entry>::iterator PainterCache::freeFor(const View& vie
     ++count;
     last = entry;
   }
-  if (count >= (comes_back ? mostOf(size) : 1)) return last;
+  if (count >= (comes_back ? maxKept(size) : 1)) return last;
   if (!comes_back) makeRoomFor(size);
   entries_.push_back({std::make_unique<PicturePainter>(crew_, size), comes_back});
   return entries_.end() - 1;
 }
 
-/// Painters of sizes that were not asked for lately go: a lens whose focal length changes from
-/// scene to scene has faces of other sizes in each.
+/// Removes painters of sizes that were not used recently: a lens whose focal length changes from
+/// scene to scene has faces of different sizes in each.
 void PainterCache::makeRoomFor(const cv::Size& size) {
-  constexpr std::size_t kMemory = 512U << 20U;  // [byte] of all for places that do not come back
+  constexpr std::size_t kMemory = 512U << 20U;  // [byte] of all for views that do not recur
   std::size_t bytes = bytesOf(size);
   const auto isLeftOver = [&](const Entry& entry) {
     if (entry.comes_back) return false;

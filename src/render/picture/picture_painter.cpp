@@ -14,7 +14,8 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The lens and its place, where a face of it is drawn: a picture behind it is bent accordingly.
+/// The lens and its pose if a face of it is drawn, as a background picture is distorted
+/// accordingly.
 std::vector<double> lensOf(const ColourScene& scene) {
   if (scene.whole == nullptr) return {};
   const CameraModel& camera = scene.whole->camera;
@@ -79,7 +80,7 @@ void PicturePainter::forget() {
   for (KeptPicture& kept : kept_pictures_) kept = {};
 }
 
-/// geometry_ will show something else.
+/// To be called before geometry_ is changed.
 void PicturePainter::forgetContent() {
   content_.reset();
   images_ = {};
@@ -117,20 +118,20 @@ UnfinishedPicture PicturePainter::paint(const ColourScene& scene, const LinkSele
   return picture;
 }
 
-/// How many pixels away what is seen has a part in a pixel's light.
+/// Up to how many pixels away what is seen affects a pixel's light.
 int PicturePainter::reach(const ColourScene& scene) const {
   return scene.detail == LightDetail::kFull ? occlusionReach(image_.size()) : 0;
 }
 
-/// The pixels from which those of some regions are found; without regions, all. Edges are found by
-/// the pixels beside them, and take their light.
+/// The pixels that are needed to compute those of some regions; without regions, all. Edges are
+/// found by the pixels beside them, from which they take their light.
 cv::Rect PicturePainter::neededFor(const ColourScene& scene,
                                    const std::vector<cv::Rect>& regions) const {
   if (regions.empty()) return image_;
   return grown(boundsOf(regions) & image_, 2 + reach(scene)) & image_;
 }
 
-/// CV_8UC1: 255 for those of the regions, of which none means all.
+/// CV_8UC1: 255 for the pixels of the regions; if there are no regions, for all pixels.
 cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const {
   if (regions.empty()) return {image_.size(), CV_8UC1, cv::Scalar(255)};
   cv::Mat wanted = cv::Mat::zeros(image_.size(), CV_8UC1);
@@ -138,7 +139,7 @@ cv::Mat PicturePainter::wantedPixels(const std::vector<cv::Rect>& regions) const
   return wanted;
 }
 
-/// Draws the shadow maps as far as they matter to some pixels.
+/// Draws the shadow maps as far as they matter for some pixels.
 void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection& casting,
                                   const cv::Rect& pixels) {
   std::vector<LinkSelection> moving;
@@ -151,13 +152,13 @@ void PicturePainter::paintShadows(const ColourScene& scene, const LinkSelection&
 
 /// Draws the shadow maps, and finds which pixels differ from those of the kept picture.
 /// @param edges  of the kept picture
-/// @param wanted  the pixels that are asked for, maybe all
+/// @param wanted  the pixels that are wanted, possibly all
 cv::Mat PicturePainter::changedPixels(const ColourScene& scene, const LinkSelection& casting,
                                       const cv::Mat& edges, const cv::Mat& wanted, bool wants_all) {
   const PossibleChanges regions =
       possibleChanges(crew_.draw_list.items(), scene.view, scene.X_WL, scene.drawn, casting,
                       crew_.lights, scene.shadows);
-  // What is just beside the wanted pixels may make edges of them.
+  // Pixels just beside the wanted ones may turn them into edges.
   cv::Mat possible = regions.all();
   if (!wants_all) possible &= withPixelsAround(wanted, 1 + reach(scene));
   const cv::Rect place = maskBounds(possible);
@@ -176,7 +177,7 @@ GeometryImages PicturePainter::geometry(const View& view, const std::vector<Pose
   return read(image_);
 }
 
-/// Reads what geometry_ shows. A picture is mostly read as a whole, as labels ask for it next.
+/// Reads what geometry_ shows. Usually the whole picture is read, as labels need it next.
 GeometryImages PicturePainter::read(const cv::Rect& pixels) {
   if (content_ && content_->pixels != image_) return readGeometry(geometry_, pixels);
   if (images_.items.empty() && keeps_geometry_) {
@@ -188,7 +189,7 @@ GeometryImages PicturePainter::read(const cv::Rect& pixels) {
   return {images_.items(pixels), images_.depth(pixels), {}};
 }
 
-/// What never moves has been read before.
+/// Reads only where geometry_ differs from the kept geometry; the rest has been read before.
 void PicturePainter::readOverKept() {
   if (kept_images_.items.empty()) kept_images_ = readGeometry(*kept_geometry_, image_);
   images_ = {kept_images_.items.clone(), kept_images_.depth.clone(), {}};
@@ -222,8 +223,8 @@ PicturePainter::LightKey PicturePainter::lightKey(const ColourScene& scene,
   return key;
 }
 
-/// Afterwards geometry_ shows these links.
-/// @param pixels  all others may hold anything
+/// Makes geometry_ show these links.
+/// @param pixels  the pixels to draw; all others are undefined
 void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_WL,
                                   const LinkSelection& drawn, const cv::Rect& pixels) {
   Content content{drawn, {}, pixels};
@@ -235,14 +236,14 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
   if (came_before) {
     drawStandingGeometry(view, X_WL, drawn);
   } else {
-    // It may not come again: what would be kept is drawn only when it does.
+    // The view may not recur: what is to be kept is drawn only when it does.
     geometry_key_ = std::move(key);
     keeps_geometry_ = false;
     for (KeptPicture& kept : kept_pictures_) kept = {};
     beginGeometry(geometry_);
     crew_.geometry_painter.paint(view, X_WL, drawn, true, {}, pixels);
   }
-  // What a first picture would save, OpenGL takes to make shaders for it.
+  // For a first picture, the stencil would save no time, as OpenGL compiles shaders for it.
   bits_ = crew_.keeps && has_drawn_ ? SilhouetteBits(crew_.draw_list, view, X_WL, drawn)
                                     : SilhouetteBits();
   has_drawn_ = true;
@@ -253,10 +254,10 @@ void PicturePainter::drawGeometry(const View& view, const std::vector<Pose>& X_W
   });
   for (cv::Rect& region : covered_) region &= pixels;
   content_ = std::move(content);
-  crew_.gl.Flush();  // Mesa's threads begin now, not when somebody asks for what they draw
+  crew_.gl.Flush();  // makes Mesa's threads begin now, not when the result is read
 }
 
-/// Afterwards geometry_ is that of what never moves.
+/// Makes geometry_ show only what never moves.
 void PicturePainter::drawStandingGeometry(const View& view, const std::vector<Pose>& X_WL,
                                           const LinkSelection& drawn) {
   forgetContent();
@@ -304,10 +305,10 @@ const PicturePainter::KeptPicture* PicturePainter::keptPicture(const ColourScene
   return &kept;
 }
 
-/// Gathers what the light of pixels is found from.
+/// Gathers what the light of pixels is computed from.
 /// @param seen  the links that were drawn
-/// @param pixels  those that are not 0
-/// @return without what is elsewhere
+/// @param pixels  CV_8UC1: not 0 for the pixels to light
+/// @return a picture without `elsewhere`
 UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSelection& seen,
                                         bool see_through, bool smooth, const cv::Mat& pixels) {
   UnfinishedPicture picture;
@@ -331,7 +332,7 @@ UnfinishedPicture PicturePainter::light(const ColourScene& scene, const LinkSele
   return picture;
 }
 
-/// What some pixels see, and those that have a part in their light.
+/// What some pixels see, and the pixels around them that affect their light.
 SeenGeometry PicturePainter::seenAround(const cv::Rect& place, const ColourScene& scene) {
   if (scene.detail == LightDetail::kSimple) return {read(place), place};
   const cv::Rect around = grown(place, reach(scene)) & content_->pixels;
@@ -341,7 +342,7 @@ SeenGeometry PicturePainter::seenAround(const cv::Rect& place, const ColourScene
   return seen;
 }
 
-/// What may hide what is seen in some pixels from the light that is everywhere.
+/// The surfaces that may occlude the ambient light of what is seen in some pixels.
 Occluders PicturePainter::occludersAround(const cv::Rect& place, const ColourScene& scene) {
   const cv::Rect around = grown(place, reach(scene)) & image_;
   return {read(around).depth, around, image_.size(), scene.view.camera.intrinsics()};

@@ -18,20 +18,20 @@
 
 namespace synthetic_dataset::render {
 
-/// What OpenGL has drawn of a picture.
+/// What OpenGL has drawn for a picture.
 struct UnfinishedPicture {
-  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: what is not in `pixels`;
-                                   ///< empty if these are all
-  cv::Mat pixels;                  ///< CV_8UC1, of the whole picture: 255 for the other pixels
-  std::vector<cv::Rect> regions;   ///< around these
-  UnlitPixels unlit;               ///< them, and those by them where edges are smooth
-  std::optional<EdgeScene> edges;  ///< none where they are not smoothed
+  cv::Mat elsewhere;               ///< CV_8UC3, of the whole picture: all pixels that are not
+                                   ///< in `pixels`; empty if there are none
+  cv::Mat pixels;                  ///< CV_8UC1, of the whole picture: 255 for pixels to light
+  std::vector<cv::Rect> regions;   ///< contain all of `pixels`
+  UnlitPixels unlit;               ///< `pixels`, and their neighbours if edges are smoothed
+  std::optional<EdgeScene> edges;  ///< nothing if edges are not smoothed
 };
 
 /// @return CV_8UC3, blue green red, sRGB-encoded
 [[nodiscard]] cv::Mat finished(const UnfinishedPicture& picture, const EdgeSmoother& smoother);
 
-/// Who takes part in making pictures. The references have to outlive all painters of pictures.
+/// The objects that together make pictures. The references have to outlive all picture painters.
 struct PictureCrew {
   const GlFunctions& gl;
   const DrawList& draw_list;
@@ -40,59 +40,59 @@ struct PictureCrew {
   ShadowPainter& shadow_painter;
   LightPainter& light_painter;
   EdgeSmoother& edge_smoother;
-  bool smooths;  ///< whether smooth pictures are, or are like others
+  bool smooths;  ///< whether edges are smoothed when smooth pictures are requested
   bool keeps;    ///< whether anything is kept from picture to picture
 };
 
 /// Draws pictures of one size.
 ///
-/// When a picture is taken from the same place as the one before, what never moves is drawn once
-/// and kept, with its light; only where something else is seen, or its shadow falls, is light found
-/// anew. Every pixel is that of a picture of which nothing was kept.
+/// When a picture has the same view as the one before, what never moves is drawn once and kept,
+/// with its light; light is computed again only where something else is seen, or casts its shadow.
+/// Every pixel is the same as if nothing were kept.
 class PicturePainter {
  public:
   PicturePainter(const PictureCrew& crew, const cv::Size& size);
 
   [[nodiscard]] cv::Size size() const { return image_.size(); }
 
-  /// Nothing is kept of what was drawn so far: all looks different now.
+  /// Forgets what was drawn so far, as the look has changed.
   void forget();
 
-  /// Whether the last picture was taken with this camera from this place.
+  /// Whether the last picture had this view.
   [[nodiscard]] bool drewFrom(const View& view) const;
 
   /// @param casting  the links that cast shadows
-  /// @param smooth  edges by several samples a pixel, not the centre's alone
-  /// @param regions  the pixels that are asked for; empty for the whole picture
+  /// @param smooth  whether edges are made from several samples per pixel, not only its centre
+  /// @param regions  the pixels that are wanted; empty for the whole picture
   [[nodiscard]] UnfinishedPicture paint(const ColourScene& scene, const LinkSelection& casting,
                                         bool smooth, const std::vector<cv::Rect>& regions);
 
-  /// What the pixels' centres see: what a picture and labels of the same things have in common.
-  /// Not to be written to: others have the same pixels.
+  /// What the pixels' centres see, which a picture and labels of the same links have in common. The
+  /// images are shared, and must not be written to.
   [[nodiscard]] GeometryImages geometry(const View& view, const std::vector<Pose>& X_WL,
                                         const LinkSelection& drawn);
 
-  /// The pixels that links cover, hidden or not, if the last drawing tells.
+  /// The pixels that links cover, hidden or not, if they are known from the last drawing.
   [[nodiscard]] std::optional<CoveredPixels> covered(const View& view,
                                                      const std::vector<Pose>& X_WL,
                                                      const LinkSelection& links) const;
 
  private:
-  /// What the surfaces that never move look like depends on.
+  /// What the geometry of the surfaces that never move depends on.
   struct GeometryKey {
     Eigen::Matrix4d clip_from_camera = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d X_WC = Eigen::Matrix4d::Zero();
-    LinkSelection drawn;  ///< of what never moves
+    LinkSelection drawn;  ///< those that never move
 
     [[nodiscard]] bool operator==(const GeometryKey& other) const;
   };
 
-  /// And what their light depends on, besides.
+  /// What their light depends on in addition.
   struct LightKey {
     std::vector<Eigen::Matrix4d> shadows;
-    LinkSelection casting;  ///< of what never moves
+    LinkSelection casting;  ///< those that never move
     float exposure = 0.0F;
-    std::vector<double> lens;  ///< of which this is a face, and how it is turned in it
+    std::vector<double> lens;  ///< of which this is a face, and its pose
 
     [[nodiscard]] bool operator==(const LightKey& other) const;
   };
@@ -100,17 +100,17 @@ class PicturePainter {
   /// A picture of what never moves.
   struct KeptPicture {
     LightKey key;
-    cv::Mat pixels;  ///< empty until the key comes a second time; never written to
-    cv::Mat edges;   ///< CV_8UC1: 255 where these are smoothed; empty where edges are not
+    cv::Mat pixels;  ///< empty until the key occurs a second time; never written to
+    cv::Mat edges;   ///< CV_8UC1: 255 where `pixels` are smoothed; empty if none are
   };
 
   /// What geometry_ shows.
   struct Content {
     LinkSelection drawn;
     std::vector<Eigen::Matrix4d> X_WL;
-    cv::Rect pixels;  ///< all others may hold anything
+    cv::Rect pixels;  ///< all others are undefined
 
-    /// Whether another one's pixels are among these.
+    /// Whether it includes the pixels of another content.
     [[nodiscard]] bool has(const Content& other) const;
   };
 
@@ -144,13 +144,13 @@ class PicturePainter {
   GeometryKey geometry_key_;        ///< of geometry_
   SilhouetteBits bits_;             ///< in geometry_
   bool has_drawn_ = false;          ///< at least once
-  std::optional<Content> content_;  ///< of geometry_; nothing while that is what never moves
+  std::optional<Content> content_;  ///< of geometry_; nothing if that is what never moves
   GeometryImages images_;           ///< of content_; empty until all of it has been read
   std::optional<Framebuffer> kept_geometry_;
   GeometryImages kept_images_;                ///< of kept_geometry_; empty until they are read
-  bool keeps_geometry_ = false;               ///< kept_geometry_ is that of geometry_key_
+  bool keeps_geometry_ = false;               ///< whether kept_geometry_ is that of geometry_key_
   std::vector<cv::Rect> covered_;             ///< where geometry_ may differ from kept_geometry_
-  std::array<KeptPicture, 2> kept_pictures_;  ///< from centres alone, and smooth
+  std::array<KeptPicture, 2> kept_pictures_;  ///< not smoothed, and smoothed
 };
 
 }  // namespace synthetic_dataset::render

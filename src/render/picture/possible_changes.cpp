@@ -16,11 +16,12 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Beyond this many times as far from a light, a shadow is taken to reach everywhere.
+/// If a shadow may reach more than this many times as far from a light as its caster, it is taken
+/// to reach everywhere.
 constexpr double kFarthest = 1000.0;
 
-/// How far a thing may move along one axis within the receivers: the largest `factor` in
-/// start + factor * step for any start in [low, high], or infinity.
+/// How far something may move along one axis inside the receivers' bounds: the largest `factor`
+/// such that start + factor * step is in [least, most] for any start in [low, high], or infinity.
 double longestWay(double low, double high, double step, double least, double most) {
   if (step > 0.0) return (most - low) / step;
   if (step < 0.0) return (least - high) / step;
@@ -33,7 +34,7 @@ Bounds pointBounds(const Points& points) {
   return bounds;
 }
 
-/// The hull of a body and its shadow in parallel light, as far as something receives it.
+/// The hull of a body and its shadow in parallel light, as far as there are receivers.
 Points parallelShadow(const Points& corners, const Eigen::Vector3d& direction,
                       const Bounds& receivers) {
   const Bounds caster = pointBounds(corners);
@@ -49,20 +50,20 @@ Points parallelShadow(const Points& corners, const Eigen::Vector3d& direction,
   return hull;
 }
 
-/// The same in the light of a point; nothing where it may be anywhere.
+/// The same in the light of a point; nothing if the shadow may be anywhere.
 std::optional<Points> pointShadow(const Points& corners, const Eigen::Vector3d& light, double range,
                                   const Bounds& receivers) {
   const Bounds caster = pointBounds(corners);
   double times = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    // Rays from the light through the body go on along an axis by `times` at the most.
+    // Rays from the light through the body continue along an axis by at most `times`.
     const double low = caster.min()[axis] - light[axis];
     const double high = caster.max()[axis] - light[axis];
     if (low > 0.0) times = std::min(times, (receivers.max()[axis] - light[axis]) / low);
     if (high < 0.0) times = std::min(times, (receivers.min()[axis] - light[axis]) / high);
   }
   const double nearest = caster.exteriorDistance(light);
-  if (nearest > 0.0) times = std::min(times, range / nearest);  // dark beyond
+  if (nearest > 0.0) times = std::min(times, range / nearest);  // it is dark beyond
   if (!(times < kFarthest)) return std::nullopt;
   Points hull = corners;
   for (const Eigen::Vector3d& corner : corners) {
@@ -71,7 +72,7 @@ std::optional<Points> pointShadow(const Points& corners, const Eigen::Vector3d& 
   return hull;
 }
 
-/// What a shadow is blurred and pushed by [m], in texels of its map.
+/// The most by which a shadow is blurred and shifted [m], which depends on its map's texels.
 double blurOf(const world::Light& light, const ShadowProjection& shadow) {
   constexpr double kTexels = 8.0;
   const double softness = std::min(shadow.softness.maxCoeff(), kWidestSoftness);
@@ -79,9 +80,9 @@ double blurOf(const world::Light& light, const ShadowProjection& shadow) {
   return (kTexels + softness) * shadow.texel * (from_point ? std::max(light.range, 1.0) : 1.0);
 }
 
-/// The hull of a caster and its shadow, as far as something receives it; nothing where that may be
+/// The hull of a caster and its shadow, as far as there are receivers; nothing if the shadow may be
 /// anywhere.
-/// @param caster  a hull around it and its shadow's blur
+/// @param caster  a hull of the caster, extended by its shadow's blur
 std::optional<Points> shadowOf(const Points& caster, const world::Light& light,
                                const Bounds& receivers) {
   if (light.type != world::LightType::kDirectional) {
@@ -91,7 +92,7 @@ std::optional<Points> shadowOf(const Points& caster, const world::Light& light,
   return parallelShadow(caster, direction, receivers);
 }
 
-/// Marks the pixels on which the shadow of a caster may be seen, and a few more.
+/// Marks the pixels on which the shadow of a caster may be seen, with a small margin.
 void markShadow(const Points& caster, const world::Light& light, const Bounds& receivers,
                 const View& view, cv::Mat& pixels) {
   if (const std::optional<Points> hull = shadowOf(caster, light, receivers)) {
@@ -109,7 +110,7 @@ bool castsAndMoves(const DrawItem& item, const LinkSelection& casting) {
   return casting[item.link] && item.casts_shadow && !item.stands_still;
 }
 
-/// Around the items of each link that casts shadows and moves, by link; empty for all others.
+/// The bounds of each link that casts shadows and moves, by link; empty for all others.
 std::vector<Bounds> movingCasters(const std::vector<DrawItem>& items, const std::vector<Pose>& X_WL,
                                   const LinkSelection& casting) {
   std::vector<Bounds> casters(X_WL.size());
@@ -134,7 +135,7 @@ std::vector<LinkSelection> castersOnto(const cv::Rect& pixels, const std::vector
   std::vector<LinkSelection> selected;
   int selected_of = -1;
   for (const ShadowProjection& shadow : shadows) {
-    if (std::exchange(selected_of, shadow.light) == shadow.light) {  // another side of it
+    if (std::exchange(selected_of, shadow.light) == shadow.light) {  // another side of the cube
       selected.push_back(LinkSelection(selected.back()));
       continue;
     }
@@ -178,7 +179,7 @@ PossibleChanges possibleChanges(const std::vector<DrawItem>& items, const View& 
   const auto moves = [&](const DrawItem& item) { return castsAndMoves(item, casting); };
   int marked = -1;
   for (const ShadowProjection& shadow : shadows) {
-    if (std::exchange(marked, shadow.light) == shadow.light) continue;  // another side of it
+    if (std::exchange(marked, shadow.light) == shadow.light) continue;  // another side of the cube
     const world::Light& light = lights[static_cast<std::size_t>(shadow.light)];
     for (const Points& caster : hullsOfGroups(items, X_WL, blurOf(light, shadow), moves)) {
       markShadow(caster, light, receivers, view, regions.shadows);

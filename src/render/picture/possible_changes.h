@@ -11,13 +11,14 @@
 
 namespace synthetic_dataset::render {
 
-/// Where a picture of what never moves may differ from one with all else, from bounds alone.
+/// Where a picture of everything may differ from a picture of what never moves, according to
+/// bounds.
 ///
 /// Each is CV_8UC1, 255 for such pixels, else 0.
 struct PossibleChanges {
-  cv::Mat surfaces;  ///< what moves may be seen there
-  cv::Mat glass;     ///< and there what one can see through, whether it moves or not
-  cv::Mat shadows;   ///< and there the shadow of what moves
+  cv::Mat surfaces;  ///< where opaque items that move may be seen
+  cv::Mat glass;     ///< where transparent items may be seen, whether they move or not
+  cv::Mat shadows;   ///< where the shadow of something that moves may be seen
 
   [[nodiscard]] cv::Mat all() const { return surfaces | glass | shadows; }
 };
@@ -30,7 +31,7 @@ struct PossibleChanges {
                                               const std::vector<world::Light>& lights,
                                               const std::vector<ShadowProjection>& shadows);
 
-/// For each shadow, the links that move and may cast it on some of these pixels.
+/// For each shadow, the links that move and may cast it onto some of the given pixels.
 /// @param pixels  of the picture
 [[nodiscard]] std::vector<LinkSelection> castersOnto(
     const cv::Rect& pixels, const std::vector<DrawItem>& items, const View& view,

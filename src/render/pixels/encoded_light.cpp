@@ -15,9 +15,9 @@ namespace synthetic_dataset::render {
 namespace {
 
 constexpr float kMost = 16.0F;
-constexpr std::size_t kMostBits = 0x4C00;  // kMost as a number of 16 bits
+constexpr std::size_t kMostBits = 0x4C00;  // kMost as a half float
 
-/// sRGB's transfer function (IEC 61966-2-1), which goes on beyond 1.
+/// sRGB's transfer function (IEC 61966-2-1), continued beyond 1.
 float decoded(float encoded) {
   return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
@@ -26,7 +26,7 @@ float encodedOf(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
-/// The light of each number of 16 bits from 0 to kMost; those are the first.
+/// The linear light of each half float from 0 to kMost, whose bits are 0 to kMostBits.
 const std::array<float, kMostBits + 1>& lightOfNumbers() {
   static const auto kLight = [] {
     std::array<float, kMostBits + 1> light{};
@@ -38,7 +38,7 @@ const std::array<float, kMostBits + 1>& lightOfNumbers() {
   return kLight;
 }
 
-/// What each number of 16 bits becomes. What is negative or none becomes 0.
+/// The half float that each half float becomes. Negative ones, infinity and NaN become 0.
 std::vector<std::uint16_t> tableFor(float exposure) {
   const auto& light = lightOfNumbers();
   std::vector<std::uint16_t> table(0x10000, 0);

@@ -6,18 +6,19 @@
 
 namespace synthetic_dataset::render {
 
-/// Gazebo Classic finds light in the encoded numbers of its picture (sRGB's, though it knows
-/// nothing of that). Here such pictures are made linear again, so that all that follows is the same
-/// for both simulators. An encoded number above 1 is one that a short exposure still shows.
+/// Gazebo Classic computes light directly in the encoded numbers of its picture (which are sRGB,
+/// although it is not aware of that). These functions make such pictures linear, so that everything
+/// that follows is the same for both simulators. Encoded numbers above 1 are kept for exposures
+/// that are short enough to show them.
 
-/// The largest encoded number that makes a difference in a picture: 1, as it is in Gazebo's, or
-/// what a shorter exposure than 1 brings down to white, up to 16.
+/// The largest encoded number that makes a difference in a picture: 1, as in Gazebo, or, with an
+/// exposure below 1, the number that becomes white, up to 16.
 [[nodiscard]] float brightestEncoded(float exposure);
 
 /// Turns encoded numbers into exposed linear light, 1 at most.
-/// @param light  CV_16UC4: red, green, blue and something else, numbers of 16 bits (IEEE 754
-///     binary16); that stays
-/// @param regions  of it, beside which it stays as it is
+/// @param light  CV_16UC4: red, green, blue and a fourth value, which is not changed, as half
+///     floats (IEEE 754 binary16)
+/// @param regions  of `light`, outside which it is not changed
 void exposeEncoded(cv::Mat& light, float exposure, const std::vector<cv::Rect>& regions);
 
 }  // namespace synthetic_dataset::render

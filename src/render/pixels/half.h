@@ -5,11 +5,11 @@
 
 namespace synthetic_dataset::render {
 
-/// A number of 16 bits (IEEE 754 binary16), as OpenGL gives it; neither infinite nor NaN. In steps
-/// that compilers can do for many at a time.
+/// Converts a half float (IEEE 754 binary16), as returned by OpenGL; it must be neither infinite
+/// nor NaN. The steps are such that compilers can vectorize them.
 [[nodiscard]] inline float fromHalf(std::uint16_t bits) {
-  // Exponent and fraction moved to their places in 32 bits; the factor makes up for the exponents'
-  // biases, 15 and 127, also of subnormal numbers.
+  // Moves exponent and fraction to their places in 32 bits; the factor compensates for the
+  // exponents' biases, 15 and 127, also for subnormal numbers.
   const std::uint32_t magnitude = (bits & 0x7FFFU) << 13U;
   float number = 0.0F;
   std::memcpy(&number, &magnitude, sizeof number);

@@ -27,15 +27,15 @@ cv::Rect pixelsOfHull(const std::vector<Eigen::Vector3d>& points_W, const View& 
 }
 
 void markHull(const std::vector<Eigen::Vector3d>& points_W, const View& view, cv::Mat& pixels) {
-  constexpr int kSlack = 5;     // [px] of lines around the outline, so half of it outside
-  constexpr int kBits = 4;      // of places within a pixel
-  constexpr double kFar = 1e6;  // [px]; OpenCV counts in 32 bits
+  constexpr int kSlack = 5;  // [px] width of the line along the outline, so half of it is outside
+  constexpr int kBits = 4;   // for fractions of a pixel
+  constexpr double kFar = 1e6;  // [px]; OpenCV uses 32-bit integers
   const Pose X_CW = view.X_WC.inverse();
   std::vector<cv::Point> points;
   for (const Eigen::Vector3d& point : points_W) {
     const auto place = view.camera.project(X_CW * point);
     if (!place || place->cwiseAbs().maxCoeff() > kFar) {
-      // Its outline is not that of its corners.
+      // The hull's outline is not that of its projected corners.
       const cv::Rect box = pixelsOfHull(points_W, view);
       if (!box.empty()) pixels(box).setTo(255);
       return;

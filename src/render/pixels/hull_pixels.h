@@ -9,12 +9,13 @@
 
 namespace synthetic_dataset::render {
 
-/// The pixels on which the convex hull of points in the world may be seen, and a few more.
+/// A rectangle of the pixels on which the convex hull of points in the world may be seen, with a
+/// small margin.
 /// @param view  without distortion
 [[nodiscard]] cv::Rect pixelsOfHull(const std::vector<Eigen::Vector3d>& points_W, const View& view);
 
-/// Sets the pixels on which such a hull may be seen, and a few more, to 255. Fewer of them than
-/// pixelsOfHull(), where the hull is not a rectangle in the picture.
+/// Sets the pixels on which such a hull may be seen, with a small margin, to 255. These are fewer
+/// than pixelsOfHull() if the hull is not a rectangle in the picture.
 /// @param pixels  CV_8UC1, of the view's size
 void markHull(const std::vector<Eigen::Vector3d>& points_W, const View& view, cv::Mat& pixels);
 

@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::render {
 
-/// An image with columns enough for all lanes: a narrow one's last column goes on.
+/// An image with at least kLaneCount columns: the last column of a narrower one is repeated.
 [[nodiscard]] inline cv::Mat widened(const cv::Mat& image) {
   if (image.empty() || image.cols >= kLaneCount) return image;
   cv::Mat wide;
@@ -18,8 +18,8 @@ namespace synthetic_dataset::render {
   return wide;
 }
 
-/// At least this many values of a row, with zeros behind the last one if too few are left.
-/// @param room  for them; has to outlive the result
+/// Returns a pointer to at least `count` values of a row, padded with zeros if too few are left.
+/// @param room  for the padded values; has to outlive the result
 template <std::size_t count, class Value>
 [[nodiscard]] const Value* atLeast(const Value* values, int left, std::array<Value, count>& room) {
   if (left >= static_cast<int>(count)) return values;
@@ -28,8 +28,8 @@ template <std::size_t count, class Value>
   return room.data();
 }
 
-/// Where the four pixels begin that hold a column of a row: the last ones of a row twice, rather
-/// than some beyond its end.
+/// The first column of four pixels to process: `column`, or less so that they do not extend beyond
+/// the row's end, and some are processed twice instead.
 [[nodiscard]] inline int firstLane(int column, int columns) {
   return std::min(column, columns - kLaneCount);
 }

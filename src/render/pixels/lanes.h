@@ -7,8 +7,8 @@
 
 namespace synthetic_dataset::render {
 
-/// Four numbers that a processor works on at once. What a lane holds does not depend on the others,
-/// so that a pixel is the same whichever lane it is in.
+/// Four numbers that are processed at once (SIMD). Each lane is independent of the others, so that
+/// a pixel gets the same value in any lane.
 using Lanes = cv::v_float32x4;
 inline constexpr int kLaneCount = 4;
 
@@ -78,13 +78,13 @@ struct Lanes3 {
   return {cv::v_select(mask, a.x, b.x), cv::v_select(mask, a.y, b.y), cv::v_select(mask, a.z, b.z)};
 }
 
-/// e to the power of each, to 2e-7 of it, for numbers from -87 to 88; beyond, that of the limit
-/// (S. L. Moshier, Cephes mathematical library, expf).
+/// e to the power of each, with a relative error of 2e-7, for numbers from -87 to 88; numbers
+/// beyond are clamped (S. L. Moshier, Cephes mathematical library, expf).
 [[nodiscard]] inline Lanes exponential(const Lanes& power) {
   const Lanes x = clamped(power, -87.0F, 88.0F);
   const cv::v_int32x4 twos = cv::v_round(x * lanes(1.44269504F));
   const Lanes whole = cv::v_cvt_f32(twos);
-  // Two parts of ln 2, of which the first times a whole number is exact.
+  // ln 2 in two parts; the product of the first with an integer is exact.
   const Lanes r = x - whole * lanes(0.693359375F) - whole * lanes(-2.12194440e-4F);
   Lanes sum = lanes(1.9875691500e-4F);
   for (const float coefficient :
@@ -97,12 +97,12 @@ struct Lanes3 {
   return sum * cv::v_reinterpret_as_f32(exponent);
 }
 
-/// The natural logarithm of each, to 2e-7 of it, for numbers from 1e-30 to 1e30; beyond, that of
-/// the limit (Cephes, logf).
+/// The natural logarithm of each, with a relative error of 2e-7, for numbers from 1e-30 to 1e30;
+/// numbers beyond are clamped (Cephes, logf).
 [[nodiscard]] inline Lanes logarithm(const Lanes& number) {
   const Lanes x = clamped(number, 1e-30F, 1e30F);
   const cv::v_int32x4 bits = cv::v_reinterpret_as_s32(x);
-  // x = fraction * 2^exponent, the fraction from 0.5 to 1.
+  // x = fraction * 2^exponent, with a fraction from 0.5 to 1.
   constexpr int kBias = 126;
   Lanes exponent = cv::v_cvt_f32((bits >> 23) - cv::v_setall_s32(kBias));
   Lanes fraction = cv::v_reinterpret_as_f32((bits & cv::v_setall_s32(0x007FFFFF)) |
@@ -121,13 +121,13 @@ struct Lanes3 {
   return m + sum + exponent * lanes(0.693359375F);
 }
 
-/// Numbers from 0 to powers above 0.
+/// Numbers (0 or more) raised to powers above 0.
 [[nodiscard]] inline Lanes power(const Lanes& base, const Lanes& exponent) {
   return exponential(exponent * logarithm(base)) & (base > lanes(0.0F));
 }
 
-/// Four pixels of four numbers of 16 bits (IEEE 754 binary16), channel by channel. The smallest,
-/// below 6.1e-5, count as 0.
+/// Four pixels of four half floats (IEEE 754 binary16), channel by channel. Subnormal numbers
+/// (below 6.1e-5) count as 0.
 struct PixelLanes {
   Lanes3 xyz;
   Lanes w;
@@ -161,7 +161,7 @@ struct PixelLanes {
   return rounded & cv::v_reinterpret_as_u32(numbers >= lanes(kLeastNormal));
 }
 
-/// The other way round, with 1 as the fourth.
+/// The inverse of loadHalves(), with 1 as the fourth channel.
 inline void storeHalves(std::uint16_t* pixels, const Lanes3& colours) {
   constexpr std::uint32_t kOne = 0x3C00;
   cv::v_uint32x4 first, second, third, fourth;

@@ -19,7 +19,7 @@ bool isLight(PixelMeaning meaning, int channel) {
   return meaning == PixelMeaning::kColour && channel != kAlpha;
 }
 
-/// The light of each byte value in each channel.
+/// The number that toLight() gives for each byte value in each channel.
 cv::Mat makeTable(PixelMeaning meaning) {
   cv::Mat table(1, 256, CV_16UC4);
   for (int i = 0; i < table.cols; ++i) {

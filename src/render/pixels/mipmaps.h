@@ -8,12 +8,13 @@
 
 namespace synthetic_dataset::render {
 
-/// Smaller copies of a picture, for where a pixel covers much of it. Each is half as wide and high
-/// as the one before, rounded down (OpenGL 4.5, section 8.14.3), the last one pixel. A pixel is the
-/// mean of what it covers: of colours, of their light. OpenGL can make them too; Mesa compiles
-/// programs for that in each process, which takes longer than all pictures of a usual world.
-/// @param picture  CV_8UC4: blue, green, red, alpha; or CV_32FC4, which are light
-/// @return from the largest to the smallest, without the picture itself, of its type
+/// The mipmap levels of a picture. Each is half as wide and high as the one before, rounded down
+/// (OpenGL 4.5, section 8.14.3); the last is a single pixel. A pixel is the mean of what it covers;
+/// for colours, of their linear light. OpenGL can make them too, but Mesa then compiles programs
+/// for that in each process, which takes longer than making them here for all pictures of a usual
+/// world.
+/// @param picture  CV_8UC4: blue, green, red, alpha; or CV_32FC4, which is linear light
+/// @return from the largest to the smallest, without the picture itself, and of its type
 [[nodiscard]] std::vector<cv::Mat> mipmapsOf(const cv::Mat& picture, PixelMeaning meaning);
 
 }  // namespace synthetic_dataset::render

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLeastGap = 8;  // [px] between two rectangles of a band
 
-/// The runs of pixels that are not 0, those with small gaps between them as one.
+/// Appends the runs of pixels that are not 0, joining those with small gaps between them.
 void addRuns(const std::vector<uchar>& is_set, int top, int height, std::vector<cv::Rect>& to) {
   int first = -1;
   int end = 0;
@@ -31,7 +31,7 @@ void addRuns(const std::vector<uchar>& is_set, int top, int height, std::vector<
 
 }  // namespace
 
-/// Bands begin at multiples of their height.
+/// Bands are aligned to multiples of `height`.
 std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height) {
   std::vector<cv::Rect> bands;
   std::vector<uchar> columns(static_cast<std::size_t>(pixels.cols));
@@ -52,7 +52,7 @@ std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height) {
 
 cv::Mat withPixelsAround(const cv::Mat& pixels, int distance) {
   cv::Mat result;
-  cv::dilate(pixels, result, cv::Mat(), cv::Point(-1, -1), distance);  // by one each time
+  cv::dilate(pixels, result, cv::Mat(), cv::Point(-1, -1), distance);  // one pixel per iteration
   return result;
 }
 
@@ -62,7 +62,7 @@ cv::Rect grown(const cv::Rect& rectangle, int distance) {
 }
 
 cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles) {
-  cv::Rect bounds;  // OpenCV's union with an empty rectangle is the other one
+  cv::Rect bounds;  // in OpenCV the union with an empty rectangle is the other one
   for (const cv::Rect& each : rectangles) bounds |= each;
   return bounds;
 }

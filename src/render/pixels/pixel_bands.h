@@ -6,27 +6,27 @@
 
 namespace synthetic_dataset::render {
 
-/// Height of bands that are processed pixel by pixel [px]. Finer bands waste fewer pixels, but take
-/// their time each.
+/// Height of bands that are processed pixel by pixel [px]. Finer bands waste fewer pixels, but each
+/// has a cost of its own.
 inline constexpr int kFineBand = 8;
 
-/// Height of bands whose set-up takes longer than their work [px].
+/// Height of bands whose set-up takes longer than their processing [px].
 inline constexpr int kCoarseBand = 64;
 
-/// Rectangles, none of them over another, that hold all pixels that are not 0, and few others.
+/// Rectangles that do not overlap and contain all pixels that are not 0, and few others.
 /// @param pixels  CV_8UC1
-/// @param height  of a rectangle at the most [px]
+/// @param height  the maximum height of a rectangle [px]
 [[nodiscard]] std::vector<cv::Rect> bandsOf(const cv::Mat& pixels, int height = kFineBand);
 
-/// Pixels that are not 0, and those around them.
+/// A mask of the pixels that are not 0 and of those around them.
 /// @param pixels  CV_8UC1
-/// @param distance  how far in columns and rows
+/// @param distance  up to how many columns and rows away
 [[nodiscard]] cv::Mat withPixelsAround(const cv::Mat& pixels, int distance = 1);
 
-/// With this many more pixels on each side.
+/// The rectangle, grown by this many pixels on each side.
 [[nodiscard]] cv::Rect grown(const cv::Rect& rectangle, int distance);
 
-/// Around all of them; empty for none.
+/// The rectangle around all of them; empty if there are none.
 [[nodiscard]] cv::Rect boundsOf(const std::vector<cv::Rect>& rectangles);
 
 }  // namespace synthetic_dataset::render

@@ -19,7 +19,7 @@ std::array<float, 256> makeTable(float offset) {
   return table;
 }
 
-/// Where to begin looking for an encoded value: the least one of each small range of light.
+/// Where to begin the search for an encoded value: the lowest one of each small range of light.
 struct Encoder {
   static constexpr std::size_t kRanges = 4096;
 
@@ -32,11 +32,11 @@ struct Encoder {
     }
   }
 
-  std::array<float, 256> upper = makeTable(0.5F);  ///< where the next encoded value is nearer
+  std::array<float, 256> upper = makeTable(0.5F);  ///< light above which the next value is nearer
   std::array<std::uint8_t, kRanges> first{};
 };
 
-/// The encoded value of each number of 16 bits from 0 to 1.
+/// The encoded value of each half float from 0 to 1.
 class HalfEncoder {
  public:
   HalfEncoder() {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kDrawsADepth = 2;
 
-/// How much disparities of neighbours differ beside an edge [px].
+/// The difference between neighbouring disparities from which on there is an edge [px].
 constexpr double kEdge = 1.0;
 
 /// A depth picture of a rectified camera.
@@ -28,7 +28,7 @@ class DepthView {
   /// The disparity of a point at this depth [px].
   [[nodiscard]] double disparity(double depth) const { return focal_baseline_ / depth; }
 
-  /// The depth that a disparity stands for once it is rounded; 0 for none.
+  /// The depth that corresponds to a disparity once it is rounded; 0 for none.
   [[nodiscard]] double rounded(double disparity, double step) const {
     if (step > 0.0) disparity = std::round(disparity / step) * step;
     return disparity > 0.0 ? focal_baseline_ / disparity : 0.0;
@@ -37,12 +37,12 @@ class DepthView {
   /// The depth error per pixel of disparity error: z = fb/d.
   [[nodiscard]] double depthPerPixel(double depth) const { return depth * depth / focal_baseline_; }
 
-  /// Between the ray and the normal of the surface that a pixel shows [rad].
+  /// The angle between the ray and the normal of the surface that a pixel shows [rad].
   [[nodiscard]] double angleAt(int u, int v) const {
     const Eigen::Vector3d point = pointAt(u, v);
     const Eigen::Vector3d normal = alongAt(u, v, 1, 0).cross(alongAt(u, v, 0, 1));
     const double lengths = normal.norm() * point.norm();
-    if (lengths == 0.0) return 0.0;  // it has no neighbours
+    if (lengths == 0.0) return 0.0;  // the pixel has no neighbours
     return std::acos(std::min(std::abs(normal.dot(point)) / lengths, 1.0));
   }
 
@@ -57,8 +57,9 @@ class DepthView {
     return false;
   }
 
-  /// What the other view does not see: CV_8UC1, 255 there. It has the point of pixel u at u - d;
-  /// of all that it has there or beyond from the right, the nearest hides the others.
+  /// The pixels that the other view does not see: CV_8UC1, 255 for these. The point of pixel u lies
+  /// at u - d in the other view; it is hidden if a pixel to the right of u lies there or farther
+  /// left.
   [[nodiscard]] cv::Mat_<uchar> hidden() const {
     cv::Mat_<uchar> hidden(depth_.size());
     hidden = 0;
@@ -83,7 +84,8 @@ class DepthView {
     return depthAt(u, v) * Eigen::Vector3d((u - k_.cx) / k_.fx, (v - k_.cy) / k_.fy, 1.0);
   }
 
-  /// To the neighbour on one side or the other, whose depth is more like this one's.
+  /// The vector between a pixel's point and that of the neighbour, on one side or the other, whose
+  /// depth is closer to the pixel's; always in the direction of increasing u or v.
   [[nodiscard]] Eigen::Vector3d alongAt(int u, int v, int across, int down) const {
     const double own = depthAt(u, v);
     Eigen::Vector3d along = Eigen::Vector3d::Zero();
@@ -111,10 +113,10 @@ std::uint64_t depthPlace(int u, int v, const cv::Mat& picture) {
          kDrawsADepth;
 }
 
-/// The standard deviation of what rounding to a step adds.
+/// The standard deviation of the error from rounding to a step.
 double ofRounding(double step) { return step / std::sqrt(12.0); }
 
-/// One pixel of a camera with structured light.
+/// Measures the pixels of a camera with structured light.
 class StructuredLight {
  public:
   StructuredLight(const DepthView& view, const DepthNoise& noise, std::uint64_t seed,
@@ -142,7 +144,7 @@ class StructuredLight {
   }
 
  private:
-  /// A place of the picture beside one.
+  /// A row or column displaced by `shift`, kept inside the picture.
   static int shifted(int place, double shift, int count) {
     const double most = count - 1;
     return static_cast<int>(std::lround(std::clamp(place + shift, 0.0, most)));
@@ -155,7 +157,7 @@ class StructuredLight {
   cv::Mat_<uchar> hidden_;
 };
 
-/// One pixel of the left one of two cameras.
+/// Measures the pixels of the left one of two cameras.
 class Stereo {
  public:
   Stereo(const DepthView& view, const DepthNoise& noise, std::uint64_t seed)

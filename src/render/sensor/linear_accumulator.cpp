@@ -11,7 +11,8 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// What is compared at once, as most pictures of an exposure are alike in most places.
+/// The size of a block that is compared at once, as most pictures of an exposure are alike in most
+/// places.
 constexpr int kBlock = 64;  // [byte]
 
 /// Calls visit(first, count) for the bytes of each block of a row.

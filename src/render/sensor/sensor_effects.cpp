@@ -14,7 +14,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-// What the noise of a pixel is drawn for; one place a channel and purpose.
+// Each pixel has several places in the random sequence: two for each kind of noise.
 constexpr std::uint64_t kDrawsAPixel = 4;
 constexpr std::uint64_t kShotNoise = 0;
 constexpr std::uint64_t kReadNoise = 2;
@@ -49,15 +49,15 @@ std::uint64_t placeOf(int u, int v, const cv::Mat& picture) {
          kDrawsAPixel;
 }
 
-/// A normal number for each of a pixel's channels.
+/// A normally distributed number for each of a pixel's channels.
 cv::Vec3d drawChannels(std::uint64_t seed, std::uint64_t place) {
   const base::NormalPair a = base::randomNormals(seed, place);
   const base::NormalPair b = base::randomNormals(seed, place + 1);
   return {a.first, a.second, b.first};
 }
 
-/// Light falls off with the square of the distance from the image's middle, to 1 - strength in the
-/// corners.
+/// Makes light fall off with the square of the distance from the image's middle, to 1 - strength in
+/// the corners.
 void vignette(double strength, cv::Mat& light) {
   const double u0 = 0.5 * (light.cols - 1);
   const double v0 = 0.5 * (light.rows - 1);
@@ -75,8 +75,8 @@ void balance(double kelvin, cv::Mat& light) {
   cv::multiply(light, cv::Scalar(gains[0], gains[1], gains[2]), light);
 }
 
-/// The number of electrons is Poisson-distributed: for more than a handful, normal with a variance
-/// as large as its mean.
+/// Adds noise to the number of electrons, which is Poisson-distributed: for more than a handful,
+/// approximately normal with a variance equal to its mean.
 void addShotNoise(double full_well, std::uint64_t seed, cv::Mat& light) {
   for (int v = 0; v < light.rows; ++v) {
     for (int u = 0; u < light.cols; ++u) {
@@ -108,7 +108,7 @@ cv::Mat withReadNoise(const cv::Mat& picture, const SensorEffects& effects, std:
   return noisy;
 }
 
-/// What compression leaves of it.
+/// The picture after JPEG compression and decompression.
 cv::Mat compressed(const cv::Mat& picture, int quality) {
   std::vector<unsigned char> file;
   cv::imencode(".jpg", picture, file, {cv::IMWRITE_JPEG_QUALITY, quality});

@@ -12,10 +12,11 @@ namespace {
 constexpr int kCell = ChangedTexels::kCell;
 
 int cellOf(int texel) {
-  return texel >= 0 ? texel / kCell : -((kCell - 1 - texel) / kCell);  // towards the negative
+  return texel >= 0 ? texel / kCell : -((kCell - 1 - texel) / kCell);  // rounded down
 }
 
-/// The cells of some texels, and of those within reach of them.
+/// The cells of some texels, and those within reach of them.
+/// @param reach  [cell]
 cv::Rect cellsAround(const cv::Rect& texels, const cv::Size& reach) {
   return {cv::Point(cellOf(texels.x) - reach.width, cellOf(texels.y) - reach.height),
           cv::Point(cellOf(texels.x + texels.width - 1) + 1 + reach.width,
@@ -26,8 +27,8 @@ cv::Size cellsIn(const cv::Size& texels) {
   return {(texels.width + kCell - 1) / kCell, (texels.height + kCell - 1) / kCell};
 }
 
-/// Marks the cells in which a piece is nearer to the light than what stands.
-/// @param standing  CV_32FC1: the whole map
+/// Marks the cells in which a piece is nearer to the light than what never moves.
+/// @param standing  CV_32FC1: the whole map of what never moves
 /// @param place  of the cells
 void markNearer(const MapPiece& piece, const cv::Mat& standing, const cv::Rect& place,
                 cv::Mat& cells) {
@@ -56,7 +57,7 @@ void markNearer(const MapPiece& piece, const cv::Mat& standing, const cv::Rect& 
   }
 }
 
-/// Grown on all sides; where that is far, all of it, which takes less time.
+/// Extends the marked cells on all sides. If that is far, marks all cells, which takes less time.
 void grow(cv::Mat& cells, const cv::Size& by) {
   constexpr int kFar = 16;
   if (std::max(by.width, by.height) > kFar) {
@@ -71,7 +72,7 @@ void grow(cv::Mat& cells, const cv::Size& by) {
 
 ChangedTexels allChanged(const cv::Rect& map, const cv::Size& reach,
                          const Eigen::Matrix4d& texels_from_world) {
-  // Surfaces beside the map may be raised onto it.
+  // Surfaces outside the map may be raised onto it.
   const cv::Rect place = cellsAround(map, cellsIn(reach));
   return {texels_from_world, place, cv::Mat(place.size(), CV_8UC1, cv::Scalar(255))};
 }

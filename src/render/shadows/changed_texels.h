@@ -12,18 +12,18 @@
 
 namespace synthetic_dataset::render {
 
-/// Where a shadow map differs from that of what never moves alone, and the texels around it, as far
-/// as a surface's light asks for them. In cells of several texels, for what is looked at in any
-/// order should be small.
+/// Where a shadow map differs from the one that only has what never moves, extended by as many
+/// texels as a surface's light lookup reaches. Stored in cells of several texels, as data that is
+/// accessed randomly should be small.
 struct ChangedTexels {
   static constexpr int kCell = 4;  ///< [texel] of a cell's side
 
-  Eigen::Matrix4d texels_from_world;  ///< to w times column, w times row, (anything,) w
-  cv::Rect place;                     ///< of these cells in the map; nothing has changed beside it
-  cv::Mat cells;                      ///< CV_8UC1: 255 for those that have changed
+  Eigen::Matrix4d texels_from_world;  ///< to w times column, w times row, (unused,) w
+  cv::Rect place;                     ///< of the cells, in the map; nothing has changed outside it
+  cv::Mat cells;                      ///< CV_8UC1: 255 for cells that have changed
 
   /// Which of four places in the map have changed: a bit for each.
-  /// @param wanted  a bit for each that is asked for
+  /// @param wanted  a bit for each place to test
   [[nodiscard]] int changed(const Lanes& columns, const Lanes& rows, int wanted) const {
     const Lanes x = columns / lanes(kCell) - lanes(static_cast<float>(place.x));
     const Lanes y = rows / lanes(kCell) - lanes(static_cast<float>(place.y));
@@ -44,14 +44,14 @@ struct ChangedTexels {
   }
 };
 
-/// Where nothing is known of what was there before.
+/// The result if nothing is known about the previous map: everything has changed.
 /// @param map  all texels
-/// @param reach  columns and rows from its own place within which a surface's light asks for texels
+/// @param reach  how many columns and rows from its own place a surface's light lookup reaches
 [[nodiscard]] ChangedTexels allChanged(const cv::Rect& map, const cv::Size& reach,
                                        const Eigen::Matrix4d& texels_from_world);
 
-/// Where what moves is nearer to the light than what stands.
-/// @param standing  CV_32FC1: the whole map
+/// Where what moves is nearer to the light than what never moves.
+/// @param standing  CV_32FC1: the whole map of what never moves
 [[nodiscard]] ChangedTexels changedBy(const std::vector<MapPiece>& moving, const cv::Mat& standing,
                                       const cv::Size& reach,
                                       const Eigen::Matrix4d& texels_from_world);

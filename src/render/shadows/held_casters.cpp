@@ -11,11 +11,11 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// Where a point of a caster is.
+/// The place of a point of a caster.
 struct Caster {
   Eigen::Vector3d point_W;
   Eigen::Vector2d texel;  ///< of the map
-  double texel_size;      ///< there [m]; not above 0 behind a light
+  double texel_size;      ///< at the point [m]; 0 or less behind a light
 
   Caster(const Eigen::Vector3d& p_W, const ShadowProjection& shadow) : point_W(p_W) {
     const Eigen::Vector4d p = shadow.shadow_from_world * p_W.homogeneous();
@@ -24,7 +24,7 @@ struct Caster {
   }
 };
 
-/// By how many texels a shadow moves with its caster: on the map, or towards the light.
+/// By how many texels a shadow moves with its caster: on the map, or in distance in the world.
 double texelsBetween(const Caster& one, const Caster& other) {
   if (one.point_W == other.point_W) return 0.0;
   const double size = std::min(one.texel_size, other.texel_size);
@@ -32,7 +32,7 @@ double texelsBetween(const Caster& one, const Caster& other) {
   return std::max((one.texel - other.texel).norm(), (one.point_W - other.point_W).norm() / size);
 }
 
-/// Whether all of some points of a link have less than this many texels between two poses of it.
+/// Whether all of some points of a link move by less than this many texels between two poses.
 bool areWithin(double texels, const ShadowProjection& shadow,
                const std::vector<Eigen::Vector3d>& points_L, const Pose& one, const Pose& other) {
   return std::all_of(points_L.begin(), points_L.end(), [&](const Eigen::Vector3d& point) {

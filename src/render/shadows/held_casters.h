@@ -8,16 +8,16 @@
 
 namespace synthetic_dataset::render {
 
-/// X_WL of all links, for each shadow: where they cast it.
+/// X_WL of all links, for each shadow: the poses in which they cast it.
 using CasterPoses = std::vector<std::vector<Pose>>;
 
-/// Where links cast shadows at some times that follow one another closely: in each map, a link
-/// stays where it is in the middle of several times as long as it is less than some texels away
-/// from there; less than half of them where it moves steadily. So it need not be cast anew for each
-/// time.
-/// @param X_WL  of each of the times, where the links are
+/// The poses in which links cast shadows at some times that follow one another closely: in each
+/// map, a link is held in its pose at the middle of several times, as long as it is less than
+/// `texels` away from there (less than half of that if it moves steadily), so that it need not be
+/// cast again for each time.
+/// @param X_WL  the links' poses at each of the times
 /// @param texels  of the map
-/// @return of each of the times
+/// @return for each of the times
 [[nodiscard]] std::vector<CasterPoses> heldForShadows(
     const std::vector<DrawItem>& items, const std::vector<const std::vector<Pose>*>& X_WL,
     const std::vector<ShadowProjection>& shadows, double texels);

@@ -7,7 +7,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The least depth of some texels, at most as many as a cell has.
+/// The least depth of some texels, which are at most as many as those of a cell.
 float nearestOf(const cv::Mat& depths, const cv::Rect& texels) {
   static_assert(MapDepths::kCell == kLaneCount);
   if (texels.width == kLaneCount) {
@@ -22,7 +22,7 @@ float nearestOf(const cv::Mat& depths, const cv::Rect& texels) {
   return static_cast<float>(least);
 }
 
-/// Finds the least depths again of all cells that some texels are in.
+/// Updates the least depths of all cells that contain some texels.
 void findNearestOf(const cv::Mat& depths, const cv::Rect& texels, cv::Mat& nearest) {
   const cv::Rect map({}, depths.size());
   for (int row = texels.y / MapDepths::kCell; MapDepths::kCell * row < texels.y + texels.height;
@@ -46,9 +46,9 @@ void MapDepths::Standing::keep() {
   common_ = depths_.clone();
 }
 
-/// Makes the common map that of what never moves.
+/// Removes all pieces from the common map, which then has only what never moves.
 void MapDepths::Standing::remove() {
-  // The last one first, as they may lie on one another.
+  // The last piece first, as they may overlap.
   for (auto piece = beneath_.rbegin(); piece != beneath_.rend(); ++piece) {
     (isKept() ? depths_(piece->texels) : piece->depths).copyTo(common_(piece->texels));
     if (!nearest_.empty()) findNearestOf(common_, piece->texels, nearest_);
@@ -56,7 +56,7 @@ void MapDepths::Standing::remove() {
   beneath_.clear();
 }
 
-/// Makes the common map that of what never moves, with these.
+/// Makes the common map that of what never moves, with these pieces on it.
 void MapDepths::Standing::putOn(const std::vector<MapPiece>& pieces) {
   remove();
   for (const MapPiece& piece : pieces) {

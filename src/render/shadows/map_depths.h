@@ -9,26 +9,27 @@
 
 namespace synthetic_dataset::render {
 
-/// Some texels of a shadow map, with what moves.
+/// Some texels of a shadow map, with casters that move.
 struct MapPiece {
   cv::Rect texels;
-  cv::Mat depths;  ///< CV_32FC1: of what is nearest to the light, of what moves at least
+  cv::Mat depths;  ///< CV_32FC1: of the casters nearest to the light, at least of those that move
 };
 
-/// The depths of a shadow map as they were for one picture; used to finish it in any thread.
+/// The depths of a shadow map as they were for one picture; used to finish the picture in any
+/// thread.
 ///
-/// What never moves is the same in all pictures, and what moves is small. It is put onto one
-/// common map, the same from picture to picture, so that what a processor looks up stays in its
-/// cache, and waiting pictures take little memory.
+/// What never moves is the same in all pictures, and what moves is small. The latter is put onto
+/// one common map that is shared by all pictures, so that it stays in the CPU's cache, and pictures
+/// that wait take little memory.
 class MapDepths {
  public:
-  /// A map that looks as it is used: nobody else's as long as this lives.
+  /// A complete map, ready for use; it is locked for others as long as this object exists.
   class Assembled {
    public:
     /// CV_32FC1, a square.
     [[nodiscard]] const cv::Mat& depths() const { return depths_; }
 
-    /// CV_32FC1: the least depth of each cell of kCell x kCell texels; empty if not asked for.
+    /// CV_32FC1: the least depth of each cell of kCell x kCell texels; empty if not requested.
     [[nodiscard]] const cv::Mat& nearest() const { return nearest_; }
 
    private:
@@ -41,17 +42,18 @@ class MapDepths {
 
   static constexpr int kCell = 4;  ///< [texel] of a cell's side
 
-  /// What several maps have in common.
+  /// The part that several maps have in common: what never moves.
   class Standing {
    public:
     /// @param depths  CV_32FC1, a square
     explicit Standing(cv::Mat depths) : depths_(std::move(depths)), common_(depths_) {}
 
-    /// Of what never moves; only before the first map is assembled, or once it is kept.
+    /// The depths of what never moves; valid only before the first map is assembled, or after
+    /// keep().
     [[nodiscard]] const cv::Mat& depths() const { return depths_; }
 
-    /// To be called when further maps have this in common. A map that is the only one needs no
-    /// copy.
+    /// To be called before further maps share this object. As long as there is only one map, no
+    /// copy is needed.
     void keep();
 
    private:
@@ -63,16 +65,16 @@ class MapDepths {
     void findNearest();
 
     cv::Mat depths_;
-    std::mutex mutex_;  ///< of the following, and of depths_ until they are kept
+    std::mutex mutex_;  ///< for the following, and for depths_ until they are kept
     cv::Mat common_;
-    cv::Mat nearest_;                ///< of the common map; empty until it is asked for
-    std::vector<MapPiece> beneath_;  ///< where pieces lie on the common map, and what was there
+    cv::Mat nearest_;                ///< of the common map; empty until requested
+    std::vector<MapPiece> beneath_;  ///< where pieces are on the common map, and what was there
   };
 
   explicit MapDepths(std::shared_ptr<Standing> standing, std::vector<MapPiece> pieces = {})
       : standing_(std::move(standing)), pieces_(std::move(pieces)) {}
 
-  /// @param with_nearest  whether those are asked for
+  /// @param with_nearest  whether Assembled::nearest() is requested
   [[nodiscard]] Assembled assemble(bool with_nearest = false) const;
 
  private:

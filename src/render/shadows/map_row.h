@@ -10,14 +10,14 @@
 
 namespace synthetic_dataset::render {
 
-/// A row of a map, which goes on beyond the map's edges as it is there.
+/// A row of a map, in which the values at the map's edges are repeated beyond them.
 class MapRow {
  public:
-  /// @param map  CV_32FC1; has to outlive this
+  /// @param map  CV_32FC1; has to outlive this object
   MapRow(const cv::Mat& map, int row)
       : numbers_(map.ptr<float>(std::clamp(row, 0, map.rows - 1))), count_(map.cols) {}
 
-  /// Four numbers from a column on.
+  /// Four numbers, beginning at a column.
   [[nodiscard]] Lanes four(int column) const {
     if (column >= 0 && column + kLaneCount <= count_) return cv::v_load(numbers_ + column);
     std::array<float, kLaneCount> some{};

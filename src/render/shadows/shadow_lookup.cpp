@@ -8,7 +8,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// A row of a matrix times points.
+/// The product of a row of a matrix with points.
 Lanes times(const Eigen::Matrix4f& matrix, int row, const Lanes3& point) {
   return lanes(matrix(row, 0)) * point.x + lanes(matrix(row, 1)) * point.y +
          lanes(matrix(row, 2)) * point.z + lanes(matrix(row, 3));
@@ -20,7 +20,7 @@ Lanes times(const Eigen::Matrix4f& matrix, int row, const Lanes3& point) {
 struct ShadowLookup::FourInMap {
   Lanes column, row, depth;
   Lanes is_within;        ///< a mask
-  Lanes depth_by_column;  ///< as in PlaceInMap; found for soft edges alone
+  Lanes depth_by_column;  ///< as in PlaceInMap; set only for soft edges
   Lanes depth_by_row;
 };
 
@@ -46,7 +46,7 @@ Lanes ShadowLookup::ahead(const Lanes3& position_C) const {
   return times(map_from_camera_, 3, position_C);
 }
 
-/// @param raised  where the surface is compared
+/// @param raised  the place at which the surface is compared
 ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& normal,
                                            const Lanes& n_dot_l, const Lanes& wanted) const {
   const Lanes zero = lanes(0.0F);
@@ -55,7 +55,7 @@ ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& n
   four.column = times(map_from_camera_, 0, raised);
   four.row = times(map_from_camera_, 1, raised);
   four.depth = times(map_from_camera_, 2, raised);
-  // Nothing is in the shadow of what lies outside of the map.
+  // Nothing outside the map is in shadow.
   four.is_within = wanted;
   if (from_point_) {
     const Lanes w = times(map_from_camera_, 3, raised);
@@ -70,7 +70,8 @@ ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& n
   four.is_within = four.is_within & (four.column >= zero) & (four.column <= size) &
                    (four.row >= zero) & (four.row <= size);
   if (!soft_edges_) return four;
-  // The plane through the point, in the map. Where light grazes it, its slope is anything.
+  // The plane through the point, in the map. Its slope is reduced where light grazes it, as it is
+  // unreliable there.
   constexpr float kGrazing = 0.2F;
   const Lanes away = zero - dot(normal, raised);
   const auto part = [&](int row) {
@@ -88,8 +89,9 @@ ShadowLookup::FourInMap ShadowLookup::find(const Lanes3& raised, const Lanes3& n
 
 Lanes ShadowLookup::passing(const Lanes3& position_C, const Lanes3& normal, const Lanes& n_dot_l,
                             const Lanes& distance, const Lanes& wanted) const {
-  // A surface is compared a little above itself, so that it does not shade itself: by about a
-  // texel, more at grazing light. With soft edges, less is enough: its slope in the map is known.
+  // A surface is compared slightly above itself, so that it does not shade itself: by about a
+  // texel, and by more in grazing light. With soft edges less is enough, as its slope in the map is
+  // known.
   const Lanes texel = from_point_ ? lanes(texel_) * distance : lanes(texel_);
   const Lanes slope = cv::v_sqrt(cv::v_max(lanes(1.0F) - n_dot_l * n_dot_l, lanes(0.0F)));
   const Lanes raise = soft_edges_ ? lanes(static_cast<float>(kSoftShadowRaise))
@@ -119,7 +121,7 @@ Lanes ShadowLookup::passing(const Lanes3& position_C, const Lanes3& normal, cons
 }
 
 float ShadowLookup::passingAt(float column, float row, float depth) const {
-  // Texels' centres lie half a texel from their edges.
+  // Texels' centres are half a texel from their edges.
   const auto first_column = static_cast<int>(column + 0.5F) - 1;
   const auto first_row = static_cast<int>(row + 0.5F) - 1;
   const float across = column - 0.5F - static_cast<float>(first_column);

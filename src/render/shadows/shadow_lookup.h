@@ -11,12 +11,12 @@
 
 namespace synthetic_dataset::render {
 
-/// How a shadow map was drawn.
+/// A shadow map, and how it was drawn.
 struct CastShadow {
   MapDepths map;
   Eigen::Matrix4d shadow_from_camera;  ///< to clip coordinates of the map: -1 to 1, depth 0 to 1
   double texel;                        ///< as in ShadowProjection
-  Eigen::Vector2d softness;            ///< likewise
+  Eigen::Vector2d softness;            ///< as in ShadowProjection
 
   [[nodiscard]] bool isSoft() const { return !softness.isZero(); }
 };
@@ -24,19 +24,20 @@ struct CastShadow {
 /// Looks up the share of a light that is not shadowed.
 class ShadowLookup {
  public:
-  /// @param depths  of the map; have to outlive this
+  /// @param depths  of the map; have to outlive this object
   /// @param from_point  whether the light comes from a point
   ShadowLookup(const CastShadow& shadow, const MapDepths::Assembled& depths, bool from_point);
 
-  /// How far before the light points are [m], as the map looks; below 0 behind it.
+  /// How far in front of the light points are [m], along the map's axis; below 0 behind it.
   [[nodiscard]] Lanes ahead(const Lanes3& position_C) const;
 
   /// The share of the light that passes, from 0 to 1: the mean over a square of 3 x 3 texels around
-  /// the place, whose rim counts by its share; or, where edges are soft, that of SoftEdges.
+  /// the place, in which texels at the rim count by their share; or, if edges are soft, that of
+  /// SoftEdges.
   /// @param normal  of the surface, towards the eye
-  /// @param n_dot_l  the cosine of the angle between it and the way to the light
+  /// @param n_dot_l  the cosine of the angle between the normal and the direction to the light
   /// @param distance  to the light [m]
-  /// @param wanted  0 in lanes that do not matter
+  /// @param wanted  a mask: 0 in lanes that do not matter
   [[nodiscard]] Lanes passing(const Lanes3& position_C, const Lanes3& normal, const Lanes& n_dot_l,
                               const Lanes& distance, const Lanes& wanted) const;
 
@@ -52,8 +53,8 @@ class ShadowLookup {
   float size_;
   float texel_;
   bool from_point_;
-  Eigen::Matrix4f map_from_camera_;     ///< to column, row, depth and 1, all times the last
-  Eigen::Matrix4f planes_from_camera_;  ///< the same of planes: normal and what to add
+  Eigen::Matrix4f map_from_camera_;     ///< to homogeneous column, row, depth
+  Eigen::Matrix4f planes_from_camera_;  ///< the same for planes: normal and offset
   std::optional<SoftEdges> soft_edges_;
 };
 

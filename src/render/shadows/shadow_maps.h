@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::render {
 
-/// Depth as lights see it: one layer a light that casts shadows.
+/// Depth as seen by lights: one layer for each shadow map.
 class ShadowMaps {
  public:
   /// @param size  of a layer's side [texel]
@@ -17,18 +17,18 @@ class ShadowMaps {
   /// Binds a layer and clears it; what is drawn then casts the light's shadows.
   void begin(int layer) const;
 
-  /// The same of a layer that is clear but for some texels (columns and rows).
+  /// Like begin(), for a layer in which only some texels (columns and rows) are not clear.
   void beginAgain(int layer, const std::vector<cv::Rect>& changed) const;
 
-  /// Keeps a layer as it is now.
+  /// Saves a layer as it is now.
   void keep(int layer);
 
-  /// Binds a layer; what is drawn then casts shadows, too.
-  /// @param changed  the texels that are made again as they were kept
+  /// Binds a layer as it was saved by keep(); what is drawn then casts shadows, too.
+  /// @param changed  the texels to restore, as all others are unchanged
   void beginKept(int layer, const std::vector<cv::Rect>& changed) const;
 
   /// @param texels  columns and rows of a layer
-  /// @return CV_32FC1, their depths
+  /// @return CV_32FC1, the texels' depths
   [[nodiscard]] cv::Mat read(int layer, const cv::Rect& texels) const;
 
   /// All texels of a layer.
@@ -44,7 +44,7 @@ class ShadowMaps {
   int size_;
   int layer_count_;
   GlTexture depth_;
-  GlTexture kept_;                     ///< none until a layer is kept
+  GlTexture kept_;                     ///< empty until a layer is kept
   std::vector<GlFramebuffer> layers_;  ///< of depth_
 };
 

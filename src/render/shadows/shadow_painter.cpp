@@ -20,22 +20,22 @@ cv::Rect widenedBy(const cv::Rect& rectangle, const cv::Size& by) {
           rectangle.height + 2 * by.height};
 }
 
-/// Whether the light comes from far away.
+/// Whether the light is parallel (directional).
 bool isParallel(const ShadowProjection& shadow) {
   return shadow.shadow_from_world.row(3).head<3>().isZero();
 }
 
-/// Where an item is, as a map's light shines: all of it before the light's plane, none of it in the
-/// map, or neither.
+/// Where an item is with respect to a map's light: all of it in front of the light's plane, none of
+/// it in the map, or neither.
 enum class InLight { kBefore, kNot, kPartly };
 
 InLight placeOf(const DrawItem& item, const Pose& X_WL, const ShadowProjection& shadow) {
   constexpr double kNearest = 1e-3;  // [m]
-  const Eigen::Matrix4d map_from_part = shadow.shadow_from_world * (X_WL * item.X_LV).matrix();
+  const Eigen::Matrix4d map_from_item = shadow.shadow_from_world * (X_WL * item.X_LV).matrix();
   bool is_before = true;
-  std::array<bool, 5> is_beyond = {true, true, true, true, true};  // the light, four sides
+  std::array<bool, 5> is_beyond = {true, true, true, true, true};  // the light's plane, four sides
   for (const Eigen::Vector3d& corner : cornersOf(item.bounds_V)) {
-    const Eigen::Vector4d at = map_from_part * corner.homogeneous();
+    const Eigen::Vector4d at = map_from_item * corner.homogeneous();
     is_before = is_before && at.w() > kNearest;
     const std::array<bool, 5> beyond = {at.w() < 0.0, at.x() < -at.w(), at.x() > at.w(),
                                         at.y() < -at.w(), at.y() > at.w()};
@@ -47,13 +47,13 @@ InLight placeOf(const DrawItem& item, const Pose& X_WL, const ShadowProjection& 
   return is_out ? InLight::kNot : InLight::kPartly;
 }
 
-/// Whether triangles that turn away from the light cast no shadow. So a point light shines out of a
-/// closed body around it, such as its bulb. A spot light does not, as in OGRE.
+/// Whether triangles that face away from the light cast no shadow. A point light therefore shines
+/// out of a closed body around it, such as its bulb; a spot light does not, as in OGRE.
 bool castsByFront(const DrawItem& item, const ShadowProjection& shadow) {
   return item.casts_by_front && (isParallel(shadow) || shadow.is_side);
 }
 
-/// Columns and rows of a map from its clip coordinates.
+/// The matrix that transforms a map's clip coordinates to its columns and rows.
 Eigen::Matrix4d texelsFromShadow(int size) {
   const double half = 0.5 * size;
   Eigen::Matrix4d texels_from_shadow = Eigen::Matrix4d::Identity();
@@ -62,14 +62,14 @@ Eigen::Matrix4d texelsFromShadow(int size) {
   return texels_from_shadow;
 }
 
-/// @param map_from_world  columns, rows and depths
+/// @param map_from_world  to columns, rows and depths
 CastBody bodyOf(const DrawItem& item, const Pose& X_WL, const ShadowProjection& shadow,
                 const Eigen::Matrix4d& map_from_world) {
   const Eigen::Matrix4d map_from_mesh = map_from_world * (X_WL * item.X_LV).matrix();
   return {item.shape, Eigen::Projective3f(map_from_mesh.cast<float>()), castsByFront(item, shadow)};
 }
 
-/// How many columns and rows from its own place a surface's light asks for texels.
+/// How many columns and rows from its own place a surface's light lookup reaches.
 cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
   constexpr int kGathered = 2;  // on each side (lighting.glsl)
   constexpr int kSpare = 1;
@@ -87,13 +87,13 @@ cv::Size reachOf(const ShadowProjection& shadow, int map_size) {
     return {reach(kRaise * shadow.texel * texels_in_metre(0)),
             reach(kRaise * shadow.texel * texels_in_metre(1))};
   }
-  // In a light's plane of tangents, what is moved aside moves by the square of its ray's slant.
+  // In the plane of a light's map, a sideways shift is magnified by the square of the ray's slant.
   const double tangent = half * shadow.texel;
   const int shift = reach(kRaise * (1.0 + tangent * tangent));
   return {shift, shift};
 }
 
-/// The texels around a caster's shadow, and a few more.
+/// The texels around a caster's shadow, with a small margin.
 /// @param whole  all texels of the map
 cv::Rect texelsOf(const std::vector<Eigen::Vector3d>& caster, const ShadowProjection& shadow,
                   const cv::Rect& whole) {
@@ -128,7 +128,7 @@ ShadowPainter::ShadowPainter(const GlFunctions& gl, const DrawList& draw_list,
 }
 
 void ShadowPainter::begin() {
-  gl_.Enable(GL_DEPTH_CLAMP);  // what stands before the map's range still casts
+  gl_.Enable(GL_DEPTH_CLAMP);  // what is in front of the map's range still casts shadows
   gl_.DepthFunc(GL_LESS);
 }
 
@@ -176,12 +176,12 @@ void ShadowPainter::paintStandingLayer(const ShadowProjection& shadow,
   }
 }
 
-/// @param moving  the links that cast among those that move
+/// @param moving  the links that cast shadows among those that move
 void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                const LinkSelection& casting, const LinkSelection& moving) {
   Layer& layer = layerOf(shadow);
   if (has_glass_ && !layer.isSame(shadow, casting)) {
-    // It may not come again: a copy would be made for nothing.
+    // The projection may not recur: a copy would be wasted.
     layer.begin(shadow, casting);
     layer.maps->begin(layer.number);
     draw(shadow, X_WL, casting, Casters::kAll);
@@ -201,7 +201,7 @@ void ShadowPainter::paintLayer(const ShadowProjection& shadow, const std::vector
   }
 }
 
-/// Whether what stands still, or what does not, need not be drawn with OpenGL.
+/// Whether what never moves, or what does, can be drawn without OpenGL.
 bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                    const LinkSelection& casting, bool stand_still) const {
   const std::vector<DrawItem>& items = draw_list_.items();
@@ -211,7 +211,7 @@ bool ShadowPainter::isCastByRaster(const ShadowProjection& shadow, const std::ve
   });
 }
 
-/// CV_32FC1: the depths of what stands still.
+/// The depths of what never moves: CV_32FC1.
 cv::Mat ShadowPainter::castStanding(const ShadowProjection& shadow, const std::vector<Pose>& X_WL,
                                     const LinkSelection& casting) const {
   const int size = layers_[static_cast<std::size_t>(shadow.map)].size();
@@ -278,7 +278,7 @@ ChangedTexels ShadowPainter::changedIn(const ShadowProjection& shadow) const {
                        : allChanged(layer.maps->whole(), reach, texels_from_world);
 }
 
-/// Nothing is drawn yet.
+/// Resets the layer for a new projection; nothing is drawn yet.
 void ShadowPainter::Layer::begin(const ShadowProjection& shadow, const LinkSelection& casters) {
   *this = {maps, number, std::move(overdrawn), shadow.shadow_from_world, casters};
 }
@@ -292,7 +292,7 @@ std::shared_ptr<MapDepths::Standing> ShadowPainter::Layer::readAll() const {
   return std::make_shared<MapDepths::Standing>(maps->read(number, maps->whole()));
 }
 
-/// The texels within the bounds of moving casters, and a few more.
+/// The texels within the bounds of moving casters, with a small margin.
 std::vector<cv::Rect> ShadowPainter::texelsOfMoving(const ShadowProjection& shadow,
                                                     const std::vector<Pose>& X_WL,
                                                     const LinkSelection& casting) const {

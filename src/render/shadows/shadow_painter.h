@@ -22,34 +22,34 @@ namespace synthetic_dataset::render {
 /// Draws the shadow maps.
 ///
 /// What never moves is drawn once for all pictures that have the same projection, and what moves on
-/// top of it: depths are the least ones whatever the order, so a map's pixels do not tell.
-/// Triangles are drawn by the processor; OpenGL draws what has holes or lies partly before a light,
-/// and all where there is glass, whose shader looks the maps up.
+/// top of it: the least depths do not depend on the order, so the map's texels are the same.
+/// Triangles are rasterized by this program on the CPU; OpenGL draws what has holes or is only
+/// partly in front of a light, and everything if there is glass, whose shader looks the maps up.
 class ShadowPainter {
  public:
-  /// @param draw_list  have to outlive this
+  /// @param draw_list  has to outlive this painter
   ShadowPainter(const GlFunctions& gl, const DrawList& draw_list, const ShadowLayout& layout);
 
-  /// @param moving  of each shadow, the links that are of interest among those that cast it and
-  ///     move; empty for all
-  /// @param casters  where links cast, if that is not quite X_WL
+  /// @param moving  for each shadow, the links of interest among those that cast it and move; empty
+  ///     for all
+  /// @param casters  the poses in which links cast shadows, if they differ from X_WL
   void paint(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
              const LinkSelection& casting, const std::vector<LinkSelection>& moving = {},
              const CasterPoses* casters = nullptr);
 
-  /// The shadows of what never moves alone.
+  /// Draws only the shadows of what never moves.
   void paintStanding(const std::vector<ShadowProjection>& shadows, const std::vector<Pose>& X_WL,
                      const LinkSelection& casting);
 
-  /// What paint() has just drawn beside what never moves, of each of these shadows.
+  /// For each shadow, the texels that differ from those of what never moves since the last paint().
   [[nodiscard]] std::vector<ChangedTexels> changedTexels(
       const std::vector<ShadowProjection>& shadows) const;
 
-  /// What was drawn last.
+  /// The depths that were drawn last.
   [[nodiscard]] MapDepths depths(const ShadowProjection& shadow) const;
 
-  /// The same for OpenGL, where something is drawn that one can see through: all maps that are no
-  /// sides, and all sides.
+  /// The maps as textures for OpenGL, up to date only if there is glass: all maps that are not
+  /// sides of cubes, and all sides.
   [[nodiscard]] GLuint maps() const { return maps_.texture(); }
   [[nodiscard]] GLuint sides() const { return sides_.texture(); }
 
@@ -58,15 +58,15 @@ class ShadowPainter {
 
   /// A map, and what it was drawn with last.
   struct Layer {
-    ShadowMaps* maps;                 ///< among which it is
-    int number;                       ///< among these
-    std::vector<cv::Rect> overdrawn;  ///< texels where OpenGL drew beside what is kept
+    ShadowMaps* maps;                 ///< the maps that contain it
+    int number;                       ///< its number among these
+    std::vector<cv::Rect> overdrawn;  ///< texels where OpenGL drew more than what is kept
 
     Eigen::Matrix4d shadow_from_world = Eigen::Matrix4d::Zero();
     LinkSelection casting = {};
-    bool is_kept = false;               ///< the standing casters, as they are drawn with these
-    std::vector<MapPiece> moving = {};  ///< what moves, where it was drawn on top of them
-    std::shared_ptr<MapDepths::Standing> standing = nullptr;  ///< or all, if they are not kept
+    bool is_kept = false;               ///< whether standing casters are kept separately
+    std::vector<MapPiece> moving = {};  ///< what moves, drawn on top of standing casters
+    std::shared_ptr<MapDepths::Standing> standing = nullptr;  ///< or all, if not is_kept
 
     void begin(const ShadowProjection& shadow, const LinkSelection& casters);
     [[nodiscard]] bool isSame(const ShadowProjection& shadow, const LinkSelection& casters) const;
@@ -74,14 +74,14 @@ class ShadowPainter {
     [[nodiscard]] std::shared_ptr<MapDepths::Standing> readAll() const;
   };
 
-  /// What an item was cast as last, in some map. The same again is the same piece.
+  /// How an item last cast its shadow in some map. If the body is the same again, so is the piece.
   struct Cast {
     CastBody body;
     std::optional<MapPiece> piece;
 
     [[nodiscard]] bool isOf(const CastBody& other) const {
       return body.map_from_mesh.matrix() == other.map_from_mesh.matrix() &&
-             body.fronts_alone == other.fronts_alone;
+             body.fronts_only == other.fronts_only;
     }
   };
 
@@ -115,9 +115,9 @@ class ShadowPainter {
   ShaderFamily programs_;
   ShadowMaps maps_;
   ShadowMaps sides_;
-  bool has_glass_;  ///< which OpenGL lights
+  bool has_glass_;  ///< if so, OpenGL needs the maps
   std::vector<Layer> layers_;
-  std::map<std::pair<int, const DrawItem*>, Cast> casts_;  ///< by map and part
+  std::map<std::pair<int, const DrawItem*>, Cast> casts_;  ///< by map and item
 };
 
 }  // namespace synthetic_dataset::render

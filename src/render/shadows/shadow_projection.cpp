@@ -10,28 +10,28 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// The sun's diameter is 0.53 degrees: the tangent of half of it.
+/// The tangent of half the sun's angular diameter, which is 0.53 degrees.
 constexpr double kSunRadius = 0.004625;
 
 /// The radius of spot and point lights [m], for which SDF has no setting.
 constexpr double kBulbRadius = 0.03;
 
 bool castsShadow(const world::Light& light, LightDetail detail) {
-  // OGRE has no shadows of point lights in Gazebo's worlds.
+  // In Gazebo's worlds, OGRE draws no shadows of point lights.
   return light.casts_shadow &&
          (light.type != world::LightType::kPoint || detail == LightDetail::kFull);
 }
 
-/// As many lights cast shadows at most: their maps share the texels of a few.
+/// The maximum number of lights that cast shadows; their maps share the texels of a few.
 constexpr std::size_t kMostCasting = 32;
 
-/// How large the part of a world is that a light lights, and how brightly.
+/// A measure of how large a part of a world a light illuminates, and how brightly.
 double strengthOf(const world::Light& light) {
   if (light.type == world::LightType::kDirectional) return std::numeric_limits<double>::infinity();
   return light.diffuse.maxCoeff() * light.range * light.range;
 }
 
-/// Of each light whether it casts a shadow.
+/// For each light, whether it casts a shadow.
 std::vector<bool> castingLights(const std::vector<world::Light>& lights, LightDetail detail) {
   std::vector<world::Light> casting;
   std::vector<std::size_t> indices;
@@ -45,14 +45,14 @@ std::vector<bool> castingLights(const std::vector<world::Light>& lights, LightDe
   return casts;
 }
 
-/// A map's side, so that many have no more texels than a few.
+/// A map's side length, chosen so that many maps have no more texels than a few.
 int sizeOf(int size, int count) {
   constexpr double kFew = 4.0;
   if (count <= kFew) return size;
   return std::max(static_cast<int>(size * std::sqrt(kFew / count)), 1);
 }
 
-/// World from a frame at a light whose +z is a direction.
+/// The pose in the world of a frame at a light whose +z axis points in a direction.
 Pose frameTowards(const world::Light& light, const Eigen::Vector3d& direction) {
   Pose X_WS = Pose::Identity();
   X_WS.linear() =
@@ -61,7 +61,7 @@ Pose frameTowards(const world::Light& light, const Eigen::Vector3d& direction) {
   return X_WS;
 }
 
-/// World from a frame whose +z is where the light shines.
+/// The pose in the world of a frame whose +z axis points where the light shines.
 Pose lightFrame(const world::Light& light) {
   return frameTowards(light, (light.X_WL.linear() * light.direction_L).normalized());
 }
@@ -89,18 +89,18 @@ Bounds boundsIn(const Pose& X_SW, const std::vector<Eigen::Vector3d>& points_W) 
   return bounds;
 }
 
-/// Parallel light: the map covers what is both seen and near something that casts.
+/// For parallel light: the map covers what is both seen and within the casters' bounds.
 void fitDirectional(const world::Light& light, const std::vector<View>& views,
                     const Bounds& casters, double shadow_distance, int size, LightDetail detail,
                     ShadowProjection& projection) {
-  constexpr double kMargin = 0.02;  // of the casters' depth, so that none lies on the map's border
+  constexpr double kMargin = 0.02;  // of the casters' depth range, so that none is on its border
   const Pose X_SW = lightFrame(light).inverse();
   const Bounds casting = boundsIn(X_SW, cornersOf(casters));
   Bounds seen;
   for (const View& view : views) seen.extend(boundsIn(X_SW, viewCorners(view, shadow_distance)));
   Eigen::Vector3d low = casting.min().cwiseMax(seen.min());
   Eigen::Vector3d high = casting.max().cwiseMin(seen.max());
-  if (low.x() >= high.x() || low.y() >= high.y()) {  // nothing that casts is near what is seen
+  if (low.x() >= high.x() || low.y() >= high.y()) {  // no caster is near what is seen
     low = casting.min();
     high = casting.max();
   }
@@ -124,11 +124,11 @@ void fitDirectional(const world::Light& light, const std::vector<View>& views,
   }
 }
 
-/// What a light sees from its place.
+/// For light from a point: the map covers what is seen from there.
 /// @param scale  the inverse of the tangent of half the map's angle
 void fitFromPoint(const world::Light& light, const Pose& X_WS, double scale, int size,
                   LightDetail detail, ShadowProjection& projection) {
-  constexpr double kNear = 0.05;  // [m] depth begins there
+  constexpr double kNear = 0.05;  // [m] at which depth begins
   const double far = std::max(light.range, 2.0 * kNear);
   Eigen::Matrix4d clip_from_light = Eigen::Matrix4d::Zero();
   clip_from_light(0, 0) = scale;
@@ -140,12 +140,13 @@ void fitFromPoint(const world::Light& light, const Pose& X_WS, double scale, int
   projection.size = size;
   projection.texel = 2.0 / (scale * size);
   if (detail != LightDetail::kFull) return;
-  // Depths differ as the inverses of distances along the axis do, and so does softness in texels.
+  // Depths differ in proportion to the inverses of distances along the axis, as does softness in
+  // texels.
   const double by_inverses = far * kNear / (far - kNear);
   projection.softness.setConstant(kBulbRadius / (projection.texel * by_inverses));
 }
 
-/// A spot light's map is what the light sees within its outer angle.
+/// For a spot light: the map covers what the light sees within its outer angle.
 void fitSpot(const world::Light& light, int size, LightDetail detail,
              ShadowProjection& projection) {
   constexpr double kWidest = 0.48 * 3.14159265;  // [rad] half angle; a plane cannot hold more
@@ -153,8 +154,9 @@ void fitSpot(const world::Light& light, int size, LightDetail detail,
   fitFromPoint(light, lightFrame(light), 1.0 / std::tan(half_angle), size, detail, projection);
 }
 
-/// A side holds a few texels of the sides around it too: those that a surface's light asks for.
-/// @param side  below six
+/// For a side of a point light's cube: the map also covers a few texels of the sides around it, as
+/// far as a surface's light lookup reaches.
+/// @param side  0 .. 5
 void fitSide(const world::Light& light, int side, int size, ShadowProjection& projection) {
   constexpr double kRim = kWidestSoftness + 8.0;  // [texel]
   const double scale = std::max(1.0 - 2.0 * kRim / size, 0.5);

@@ -16,15 +16,15 @@ namespace synthetic_dataset::render {
 namespace {
 
 constexpr float kFarthestDepth = 1.0F;
-constexpr float kTexelSteps = 256.0F;  // of a texel, to which corners are rounded
+constexpr float kTexelSteps = 256.0F;  // per texel, to which corners are rounded
 
-/// A corner in the map: column and row, so that texels' centres are whole numbers; depth.
+/// Corners in the map: column and row, with texels' centres at integers; and depth.
 using Corners = std::vector<Eigen::Vector3f>;
 
-/// To the nearest step, half of one away from 0.
+/// Rounds to the nearest step, halves away from 0.
 float rounded(float texels) {
   const float steps = texels * kTexelSteps;
-  // Beyond, numbers of single precision are whole.
+  // Beyond this, all single-precision numbers are integers.
   constexpr float kWhole = 0x1p23F;
   if (!(std::abs(steps) < kWhole)) return texels;
   return static_cast<float>(static_cast<int>(steps + std::copysign(0.5F, steps))) / kTexelSteps;
@@ -40,7 +40,7 @@ Corners cornersOf(const world::Mesh& mesh, const Eigen::Projective3f& map_from_m
   return corners;
 }
 
-/// The texels among these whose centres are between two places.
+/// Those of some texels whose centres are between two places.
 cv::Rect texelsBetween(const Eigen::Vector3f& lowest, const Eigen::Vector3f& highest,
                        const cv::Rect& texels) {
   const cv::Point end = texels.br();
@@ -68,8 +68,8 @@ cv::Rect texelsOf(const Corners& corners, int size) {
   return texelsBetween(low, high, {0, 0, size, size});
 }
 
-/// One side of a triangle, on which a value is not below 0 on the triangle's own side of it.
-/// Corners are rounded, so it is exact: no centre is beside both triangles of a side.
+/// The edge function of one side of a triangle, which is not below 0 on the triangle's own side. As
+/// corners are rounded, it is exact: no centre is outside both triangles that share a side.
 class TexelSide {
  public:
   TexelSide(const Eigen::Vector3f& from, const Eigen::Vector3f& to, int first_row)
@@ -81,10 +81,10 @@ class TexelSide {
 
   void nextRow() { at_column_0_ += along_row_; }
 
-  /// Leaves those columns of the row that are not beside it.
+  /// Narrows the range of the row's columns to those that are on the triangle's side.
   void narrow(int& first, int& end) const {
     const double edge = std::clamp(at_column_0_ * columns_, first - 1.0, end + 1.0);
-    // The quotient is rounded, so that the column may be the one beside it.
+    // The quotient is rounded, so the column may be off by one.
     const int nearest = static_cast<int>(edge);
     const double there = along_column_ * nearest + at_column_0_;
     if (along_column_ > 0.0) {
@@ -101,17 +101,17 @@ class TexelSide {
  private:
   double along_column_;
   double along_row_;
-  double columns_;      ///< from a value to where it is 0
-  double at_column_0_;  ///< of the row
+  double columns_;      ///< factor from a value at column 0 to the column where it is 0
+  double at_column_0_;  ///< the value at column 0 of the row
 };
 
-/// The triangles' extent [texel] up to which whole numbers of 32 bits hold all that sides tell.
+/// The extent of triangles [texel] up to which 32-bit integers can hold all edge functions' values.
 constexpr float kSmall = 32.0F;
 
-/// The same of a small triangle, in squares of steps: exact, and sooner found.
+/// The edge function of a side of a small triangle, in squared steps: exact, and faster.
 class SmallSide {
  public:
-  /// @param first  the texel that is looked at first; near the triangle
+  /// @param first  the texel that is examined first; near the triangle
   SmallSide(const Eigen::Vector3f& from, const Eigen::Vector3f& to, const cv::Point& first) {
     const auto steps = [](float texels) { return static_cast<int>(texels * kTexelSteps); };
     constexpr int kTexel = static_cast<int>(kTexelSteps);
@@ -124,13 +124,13 @@ class SmallSide {
     along_row_ = along_row * kTexel;
   }
 
-  /// At the first texel and the three to the right of it.
+  /// The values at the first texel and the three to the right of it.
   [[nodiscard]] cv::v_int32x4 begin() const {
     return cv::v_setall_s32(at_) +
            cv::v_int32x4(0, along_column_, 2 * along_column_, 3 * along_column_);
   }
 
-  /// What is added for the next four texels of a row, and for those below.
+  /// The increments to the next four texels of a row, and to those in the next row.
   [[nodiscard]] cv::v_int32x4 nextFour() const {
     return cv::v_setall_s32(kLaneCount * along_column_);
   }
@@ -165,7 +165,7 @@ class PieceRaster {
   /// The depths of a triangle's plane.
   struct Depths {
     const Eigen::Vector3f& corner;
-    Eigen::Vector2f slope;  ///< a texel along columns and rows
+    Eigen::Vector2f slope;  ///< per texel along columns and rows
     float nearest, farthest;
 
     [[nodiscard]] float begin(const cv::Point& first) const {
@@ -173,11 +173,11 @@ class PieceRaster {
              slope.y() * (static_cast<float>(first.y) - corner.y());
     }
 
-    /// @param begin  at some texel
-    /// @param column  from there
+    /// @param begin  the depth at some texel
+    /// @param column  counted from that texel
     [[nodiscard]] Lanes at(float begin, int column) const {
       const Lanes steps = lanes(static_cast<float>(column)) + Lanes(0.0F, 1.0F, 2.0F, 3.0F);
-      // Within the corners', whatever the slope of a sliver is.
+      // Between those of the corners, however steep a sliver is.
       return clamped(lanes(begin) + lanes(slope.x()) * steps, nearest, farthest);
     }
   };
@@ -197,7 +197,7 @@ class PieceRaster {
       const float begin = depths.begin({texels.x, row});
       float* to = texel({texels.x, row});
       for (int column = 0; column < texels.width; column += kLaneCount) {
-        // The sign is set where it is beside one of them.
+        // The sign bit is set where a texel is outside one of the sides.
         const cv::v_int32x4 beside = of_ab | of_bc | of_ca;
         const Lanes covered = cv::v_reinterpret_as_f32(beside >= cv::v_setzero_s32());
         see(covered, depths.at(begin, column), to + column);
@@ -237,7 +237,7 @@ class PieceRaster {
     return piece_.depths.ptr<float>(at.y - piece_.texels.y, at.x - piece_.texels.x);
   }
 
-  /// Whole lanes: the piece has room for them behind its last column.
+  /// Stores all four lanes, as the piece has room for them behind its last column.
   static void see(const Lanes& covered, const Lanes& depth, float* at) {
     const Lanes before = cv::v_load(at);
     cv::v_store(at, cv::v_select(covered, cv::v_min(depth, before), before));
@@ -263,14 +263,15 @@ void drawTriangles(const CastBody& body, const Corners& corners, PieceRaster& ra
     const Eigen::Vector3f& c = corners[indices[i + 2]];
     const Eigen::Vector2f ab = (b - a).head<2>();
     const Eigen::Vector2f ac = (c - a).head<2>();
-    // Rows go up where light's frame has y go down: what faces the light turns left-handed.
+    // Rows increase with the y axis of the light's frame: triangles that face the light have a
+    // negative area.
     const float area = ab.x() * ac.y() - ac.x() * ab.y();
     if (area < 0.0F) raster.draw(a, c, b);
-    if (area > 0.0F && !body.fronts_alone) raster.draw(a, b, c);
+    if (area > 0.0F && !body.fronts_only) raster.draw(a, b, c);
   }
 }
 
-/// Nothing nearer than the farthest, and room for the lanes behind each row.
+/// A piece with the farthest depth everywhere, and with room for lanes behind each row.
 MapPiece emptyPiece(const cv::Rect& texels) {
   cv::Mat roomy(texels.height, texels.width + kLaneCount, CV_32FC1);
   std::fill_n(roomy.ptr<float>(), roomy.total(), kFarthestDepth);
@@ -304,7 +305,7 @@ cv::Mat castMap(const std::vector<CastBody>& bodies, int size) {
   });
   cv::Mat roomy(size, size + kLaneCount, CV_32FC1);
   cv::Mat map = roomy.colRange(0, size);
-  constexpr int kBand = 128;  // [texel] high
+  constexpr int kBand = 128;  // [texel], a band's height
   const int bands = (size + kBand - 1) / kBand;
   cv::parallel_for_(
       cv::Range(0, bands),

@@ -17,19 +17,19 @@ struct CastBody {
   /// To column, row [texel] and depth, times a factor above 0: 1 in parallel light, else the
   /// distance along the light's axis.
   Eigen::Projective3f map_from_mesh;
-  bool fronts_alone;  ///< leaves out triangles that turn away from the light
+  bool fronts_only;  ///< leaves out triangles that turn away from the light
 };
 
-/// Draws what a body casts: several times as fast as OpenGL without a graphics card.
+/// Draws a body's shadow: several times as fast as OpenGL on the CPU.
 ///
-/// Corners are rounded to 1/256 of a texel, and what is on a triangle's side belongs to it, so that
-/// there are no gaps between triangles. What lies before depth 0 counts as there.
-/// @param size  of the map's side [texel]
-/// @return the texels around it, with depth 1 where it is not; nothing where all of it lies beside
+/// Corners are rounded to 1/256 of a texel, and points on a triangle's side belong to it, so that
+/// there are no gaps between triangles. Depths below 0 count as 0.
+/// @param size  side length of the map [texel]
+/// @return the texels around the shadow, with depth 1 outside it; nothing if all of it lies outside
 ///         the map
 [[nodiscard]] std::optional<MapPiece> castPiece(const CastBody& body, int size);
 
-/// A whole map of what is nearest to the light.
+/// Draws a whole map with the depths nearest to the light.
 [[nodiscard]] cv::Mat castMap(const std::vector<CastBody>& bodies, int size);
 
 }  // namespace synthetic_dataset::render

@@ -9,7 +9,8 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// As sharp as an edge can be [texel]: half as wide as the square that is looked up for hard ones.
+/// The sharpest that an edge can be [texel]: half the width of the square that is looked up for
+/// hard edges.
 constexpr float kSharpest = 1.5F;
 
 Lanes fourFrom(float first) { return lanes(first) + Lanes(0.0F, 1.0F, 2.0F, 3.0F); }
@@ -21,13 +22,14 @@ float SoftEdges::passing(const PlaceInMap& place) const {
   return disc.maxCoeff() > kSharpest ? soft(place, disc) : sharp(place);
 }
 
-/// Half of what the light's disc covers of the map, past something so much nearer to the light.
+/// Half the extent in the map of the light's disc, seen past an occluder that is nearer to the
+/// light by `depth`.
 Eigen::Vector2f SoftEdges::discOf(float depth) const {
   return (softness_ * depth).cwiseMax(kSharpest).cwiseMin(static_cast<float>(kWidestSoftness));
 }
 
-/// By how much of the map's depth that which hides a part of the light is before the surface: the
-/// mean over the cells in which there is something; 0 for nothing.
+/// By how much of the map's depth occluders are in front of the surface: the mean over the cells in
+/// which there is an occluder; 0 if there are none.
 float SoftEdges::gapBefore(const PlaceInMap& place) const {
   constexpr float kCell = MapDepths::kCell;
   constexpr float kWithin = 0.5F * (kCell - 1.0F);  // from a cell's middle to its texels
@@ -59,7 +61,7 @@ float SoftEdges::gapBefore(const PlaceInMap& place) const {
   return found > 0.0F ? cv::v_reduce_sum(sum) / found : 0.0F;
 }
 
-/// The share of a square's texels that is not nearer to the light than the surface.
+/// The share of a square in which the map's texels are not nearer to the light than the surface.
 float SoftEdges::sharp(const PlaceInMap& place) const {
   constexpr float kSide = 2.0F * kSharpest;
   const auto first = static_cast<float>(std::floor(place.column - kSharpest));
@@ -84,7 +86,7 @@ float SoftEdges::sharp(const PlaceInMap& place) const {
   return cv::v_reduce_sum(sum) / (kSide * kSide);
 }
 
-/// The share of a disc's texels that is not nearer to the light than the surface.
+/// The share of a disc in which the map's texels are not nearer to the light than the surface.
 float SoftEdges::soft(const PlaceInMap& place, const Eigen::Vector2f& disc) const {
   const Lanes zero = lanes(0.0F);
   const Lanes one = lanes(1.0F);

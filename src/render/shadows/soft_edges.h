@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::render {
 
-/// A place in a shadow map, and how the surface that is there goes on.
+/// A place in a shadow map, and the slope of the surface there.
 struct PlaceInMap {
   float column, row;  ///< [texel]
   float depth;
@@ -16,14 +16,14 @@ struct PlaceInMap {
   float depth_by_row;
 };
 
-/// The edges of shadows in the light of a disc: sharp where a thing stands, soft far from it
+/// The edges of shadows in the light of a disc: sharp at the base of a caster, soft far from it
 /// (percentage-closer soft shadows; Fernando 2005).
 ///
-/// What hides a part of the disc is looked for as far around as it may be, in cells of texels; from
-/// how far it is before the surface follows how much of the map the disc covers.
+/// Occluders of the disc are searched for in cells of texels, as far around as they may be; their
+/// distance from the surface determines how much of the map the disc covers.
 class SoftEdges {
  public:
-  /// @param depths  with the nearest of their cells; have to outlive this
+  /// @param depths  with MapDepths::Assembled::nearest(); have to outlive this object
   /// @param softness  as in ShadowProjection
   SoftEdges(const MapDepths::Assembled& depths, const Eigen::Vector2d& softness)
       : depths_(depths.depths()), nearest_(depths.nearest()), softness_(softness.cast<float>()) {}

@@ -8,7 +8,8 @@
 
 namespace synthetic_dataset::render {
 
-/// The seed of what is in one cell of a grid, so that it is the same whichever cells are looked at.
+/// The seed for the contents of one cell of a grid, which do not depend on which other cells are
+/// visited.
 template <class Cell>
 [[nodiscard]] std::uint64_t cellSeed(std::uint64_t seed, const Eigen::MatrixBase<Cell>& cell) {
   for (Eigen::Index axis = 0; axis < cell.size(); ++axis) {

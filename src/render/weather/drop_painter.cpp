@@ -19,11 +19,11 @@ struct Streak {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
   double width;    ///< [px], at least 1
-  double rim;      ///< over which its density falls to nothing [px], half of it inside of the width
-  double density;  ///< the share of the light that it takes in its middle, 0 .. 1
+  double rim;      ///< over which its density falls to 0 [px], half of it inside the width
+  double density;  ///< the share of light that it takes in its middle, 0 .. 1
 };
 
-/// How sharply a drop stands out.
+/// How wide and how sharp a drop appears.
 struct Outline {
   double width;  ///< [px], at least 1
   double rim;    ///< [px]
@@ -34,8 +34,8 @@ Outline outlineOf(double diameter, double aperture) {
   return {std::max({diameter, aperture, 1.0}), std::min(diameter, aperture) + 1.0};
 }
 
-/// The share of a pixel's light that a drop takes while it moves along: the drop's area over that
-/// of its streak.
+/// The share of a pixel's light that a moving drop takes: the drop's area divided by that of its
+/// streak.
 /// @param diameter, width, length  [px]
 double densityOf(double diameter, double width, double length) {
   return M_PI / 4.0 * diameter * diameter / (width * length + M_PI / 4.0 * width * width);
@@ -64,31 +64,31 @@ class DropPainter {
         focal_(0.5 * (view.camera.intrinsics().fx + view.camera.intrinsics().fy)),
         widest_(widestAngle(view.camera)) {}
 
-  /// Draws all that is seen of a cube, as Precipitation::in() has them.
+  /// Draws the visible drops of a cube that is a cell of Precipitation::in().
   void drawCell(const Eigen::Vector3i& cell, std::uint64_t seed) {
-    const Eigen::Vector3d way_G =
+    const Eigen::Vector3d path_G =
         (cell.cast<double>().array() + 0.5).matrix() - view_.X_WC.translation();
-    const double distance = way_G.norm();
+    const double distance = path_G.norm();
     if (distance > kReach) return;
-    // Half the angle under which the cube is seen.
+    // Half the angle that the cube subtends.
     const double spread = std::asin(std::min(1.0, kHalfDiagonal / distance));
-    const Eigen::Vector3d way_C = X_CG_.linear() * way_G;
+    const Eigen::Vector3d way_C = X_CG_.linear() * path_G;
     if (std::atan2(way_C.head<2>().norm(), way_C.z()) > widest_ + spread) return;
     const double nearest = std::max(distance - kHalfDiagonal, view_.camera.near());
-    const double least = leastSeen(way_G / distance, spread, focal_ / nearest);
+    const double least = leastSeen(path_G / distance, spread, focal_ / nearest);
     for (const Drop& drop : precipitation_.in(cell, least, seed)) draw(drop);
   }
 
  private:
   static constexpr double kHalfDiagonal = 0.8660254037844386;  // [m] of a cell
 
-  /// [m] that a drop moves while the shutter is open.
+  /// The vector by which a drop moves while the shutter is open [m].
   [[nodiscard]] Eigen::Vector3d movement(double diameter) const {
     const double speed = precipitation_.speedOf(diameter);
     return exposure_ * (wind_G_ - speed * Eigen::Vector3d::UnitZ());
   }
 
-  /// @param length  of its way across the view [m]
+  /// @param length  of the drop's path across the view [m]
   /// @param scale  [px/m]
   [[nodiscard]] double density(double diameter, double length, double scale) const {
     const Outline outline = outlineOf(diameter * scale, kLensAperture * scale);
@@ -97,7 +97,8 @@ class DropPainter {
   }
 
   /// The diameter of the smallest drop that is not too faint [m].
-  /// @param direction_G, spread  towards the drops, and by how much that differs [rad]
+  /// @param direction_G, spread  the direction towards the drops, and by how much it may differ
+  ///   [rad]
   /// @param scale  [px/m]
   [[nodiscard]] double leastSeen(const Eigen::Vector3d& direction_G, double spread,
                                  double scale) const {
@@ -105,16 +106,16 @@ class DropPainter {
     double high = kLargest;
     for (int step = 0; step < 20; ++step) {
       const double middle = 0.5 * (low + high);
-      const Eigen::Vector3d way_G = movement(middle);
+      const Eigen::Vector3d path_G = movement(middle);
       const double angle =
-          std::atan2(way_G.cross(direction_G).norm(), std::abs(way_G.dot(direction_G)));
-      const double length = way_G.norm() * std::sin(std::max(0.0, angle - spread));
+          std::atan2(path_G.cross(direction_G).norm(), std::abs(path_G.dot(direction_G)));
+      const double length = path_G.norm() * std::sin(std::max(0.0, angle - spread));
       (density(middle, length, scale) >= kFaintest ? high : low) = middle;
     }
     return low;
   }
 
-  /// How far from its axis a camera's image reaches [rad].
+  /// The largest angle between a camera's axis and its image's corners [rad].
   [[nodiscard]] static double widestAngle(const CameraModel& camera) {
     double widest = 0.0;
     for (const double u : {-0.5, camera.width() - 0.5}) {
@@ -144,7 +145,7 @@ class DropPainter {
     const double reach = 0.5 * (streak.width + streak.rim);
     const Eigen::Array2d low = streak.from.array().min(streak.to.array()) - reach;
     const Eigen::Array2d high = streak.from.array().max(streak.to.array()) + reach;
-    // Compared as numbers with fractions: a streak may lie anywhere.
+    // Compared before rounding to integers: a streak may be anywhere, even out of their range.
     const Eigen::Array2d last(passing_.cols - 1.0, passing_.rows - 1.0);
     if ((high < 0.0).any() || (low > last).any()) return;
     const Eigen::Array2i first_pixel = low.max(0.0).ceil().cast<int>();

@@ -14,31 +14,31 @@
 namespace synthetic_dataset::render {
 namespace {
 
-constexpr double kGlass = 0.02;          // [m] before the aperture
-constexpr double kGlassCell = 0.01;      // [m] of the glass
+constexpr double kGlass = 0.02;          // [m] in front of the aperture
+constexpr double kGlassCell = 0.01;      // [m] on the glass
 constexpr double kSmallestSpeck = 1e-4;  // [m]
 constexpr double kLargestSpeck = 1e-3;   // [m]
-constexpr float kForwards = 0.5F;        // of the light on a speck, what goes on into the lens
+constexpr float kForwards = 0.5F;  // of the light on a speck, the share that goes on into the lens
 
 struct Speck {
   Eigen::Vector2d place;  ///< on the glass, from the optical axis [m]
   double diameter;        ///< [m]
 };
 
-/// The mean area of specks of which as many are in each ratio of widths [m^2].
+/// The mean area of specks whose widths are uniformly distributed on a logarithmic scale [m^2].
 double meanArea() {
   return M_PI / 4.0 * (kLargestSpeck * kLargestSpeck - kSmallestSpeck * kSmallestSpeck) /
          (2.0 * std::log(kLargestSpeck / kSmallestSpeck));
 }
 
-/// The specks in a square of the glass. A larger share adds specks to the same ones.
+/// The specks in a square of the glass. A larger share adds specks to those of a smaller one.
 std::vector<Speck> specksIn(const Eigen::Vector2i& cell, const LensDust& dust) {
   base::RandomSource random(cellSeed(dust.seed, cell));
   const double expected = dust.share * kGlassCell * kGlassCell / meanArea();
   std::vector<Speck> specks;
   for (double count = 0.0;;) {
     count -= std::log(1.0 - random.unit());
-    const double x = random.unit();  // one by one: compilers differ in the order of arguments
+    const double x = random.unit();  // one by one: the order of arguments is unspecified
     const double y = random.unit();
     const double size = random.unit();
     if (count >= expected) return specks;
@@ -47,7 +47,7 @@ std::vector<Speck> specksIn(const Eigen::Vector2i& cell, const LensDust& dust) {
   }
 }
 
-/// Multiplies what arrives at pixels by what a speck leaves.
+/// Multiplies the light that arrives at pixels by the share that a speck lets pass.
 /// @param scale  of the glass in the picture [px/m]
 void drawSpeck(const Speck& speck, const Eigen::Array2d& axis, const Eigen::Array2d& scale,
                cv::Mat& passing) {
@@ -70,7 +70,7 @@ void drawSpeck(const Speck& speck, const Eigen::Array2d& axis, const Eigen::Arra
   }
 }
 
-/// The share of its light that arrives at each pixel: CV_32FC1.
+/// The share of light that arrives at each pixel: CV_32FC1.
 cv::Mat passingDust(const CameraModel& camera, const LensDust& dust) {
   const Intrinsics& k = camera.intrinsics();
   cv::Mat passing(camera.height(), camera.width(), CV_32FC1, cv::Scalar(1.0));

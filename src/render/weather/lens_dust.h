@@ -8,20 +8,20 @@
 
 namespace synthetic_dataset::render {
 
-/// Dust on the glass before a lens.
+/// Dust on the glass in front of a lens.
 struct LensDust {
-  double share = 0.0;      ///< of the glass that it covers, 0 .. 0.2
+  double share = 0.0;      ///< of the glass that is covered, 0 .. 0.2
   std::uint64_t seed = 0;  ///< of its specks
 };
 
-/// A picture as it looks through a glass with dust, 2 cm before the lens's aperture of 2 mm. What a
-/// pixel sees comes through a part of the glass that is as wide as the aperture: so a speck takes
-/// its share of the light from all pixels of a disc, which is that wide at that distance. Specks
-/// are 0.1 to 1 mm wide; on average, half of the light that the picture shows falls through them
-/// into all directions, so that they dim what is bright and veil what is dark.
+/// A picture as seen through dusty glass, 2 cm in front of the lens's aperture of 2 mm. The light
+/// of a pixel passes through a part of the glass that is as wide as the aperture: a speck thus
+/// takes its share of the light from all pixels of a disc, the image of the aperture's width at the
+/// glass's distance. Specks are 0.1 to 1 mm wide; they scatter half of the picture's mean light
+/// into the lens from all directions, so that they dim what is bright and veil what is dark.
 ///
-/// A speck has its place on the glass: a larger share adds others, and other focal lengths see the
-/// same ones. The glass before a lens of more than half the world is a dome.
+/// A speck has its place on the glass: a larger share adds other specks, and other focal lengths
+/// see the same ones. In front of a lens that sees more than 180 degrees, the glass is a dome.
 /// @param picture  CV_8UC3, sRGB-encoded
 [[nodiscard]] cv::Mat throughDust(const cv::Mat& picture, const CameraModel& camera,
                                   const LensDust& dust);

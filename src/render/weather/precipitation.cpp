@@ -6,7 +6,7 @@
 #include "base/random/random_source.h"
 #include "render/weather/cell_seed.h"
 
-// Lengths are in mm here, and flakes' masses in mg.
+// In this file, lengths are in mm and flakes' masses in mg unless stated otherwise.
 
 namespace synthetic_dataset::render {
 namespace {
@@ -27,7 +27,7 @@ Precipitation Precipitation::snow(double rate) {
   return {Kind::kSnow, 3800.0 * std::pow(rate, -0.87) / slope, slope};
 }
 
-/// A flake's, from that of its melted drop: 0.073 D^1.4 is its mass.
+/// A flake's diameter, from that of the drop that it melts to: its mass is 0.073 D^1.4.
 double Precipitation::diameterOf(double water) const {
   if (kind_ == Kind::kRain) return water;
   return std::pow(M_PI / 6.0 * water * water * water / 0.073, 1.0 / 1.4);
@@ -55,10 +55,10 @@ std::vector<Drop> Precipitation::in(const Eigen::Vector3i& cell, double least,
   base::RandomSource random(cellSeed(seed, cell) + static_cast<std::uint64_t>(kind_));
   const double end = number_ * std::exp(-slope_ * waterOf(least / kMillimetre));
   std::vector<Drop> drops;
-  // How many are larger is a Poisson process: from one to the next is exponentially distributed.
+  // The number of larger drops is a Poisson process: its steps are exponentially distributed.
   for (double larger = 0.0;;) {
     larger -= std::log(1.0 - random.unit());
-    const double x = random.unit();  // one by one: compilers differ in the order of arguments
+    const double x = random.unit();  // one by one: the order of arguments is unspecified
     const double y = random.unit();
     const double z = random.unit();
     if (larger >= end) return drops;

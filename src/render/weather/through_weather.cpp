@@ -10,7 +10,7 @@
 namespace synthetic_dataset::render {
 namespace {
 
-/// [1/m] of an attenuation in dB/km.
+/// Converts an attenuation from dB/km to 1/m.
 double perMetre(double decibels) { return decibels * std::log(10.0) / 10.0 / 1000.0; }
 
 }  // namespace
@@ -27,7 +27,7 @@ double extinction(const Weather& weather) {
 }
 
 cv::Mat passingLight(const cv::Mat& distances, double extinction) {
-  constexpr float kDepth = 1000.0F;  // [m] of the fog before the background
+  constexpr float kDepth = 1000.0F;  // [m] of the fog in front of the background
   const auto each_metre = static_cast<float>(-extinction);
   cv::Mat passing(distances.size(), CV_32FC1);
   for (int v = 0; v < distances.rows; ++v) {
@@ -39,7 +39,7 @@ cv::Mat passingLight(const cv::Mat& distances, double extinction) {
   return passing;
 }
 
-cv::Mat throughWeather(const cv::Mat& picture, const TakenView& taken, const Weather& weather,
+cv::Mat throughWeather(const cv::Mat& picture, const CapturedView& taken, const Weather& weather,
                        std::uint64_t seed) {
   cv::Mat passing = passingLight(taken.distances, extinction(weather));
   const auto draw = [&](const Precipitation& falling) {

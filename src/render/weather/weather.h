@@ -8,14 +8,14 @@ namespace synthetic_dataset::render {
 
 /// What is in the air between a camera and what it sees; nothing by default.
 struct Weather {
-  /// How far one sees by day [m], > 0: the meteorological optical range, over which 95 % of the
-  /// light is lost (WMO-No. 8).
+  /// The visibility by day [m], > 0: the meteorological optical range, over which 95 % of the light
+  /// is lost (WMO-No. 8).
   double visibility = std::numeric_limits<double>::infinity();
 
   double rain = 0.0;                      ///< [mm/h]
-  double snow = 0.0;                      ///< [mm/h] of the water that it melts to
+  double snow = 0.0;                      ///< [mm/h] of melted snow
   Eigen::Vector3d wind_G{0.0, 0.0, 0.0};  ///< [m/s]; drops and flakes drift with it
-  Eigen::Vector3f colour = Eigen::Vector3f::Constant(0.75F);  ///< of all three, sRGB-encoded
+  Eigen::Vector3f colour = Eigen::Vector3f::Constant(0.75F);  ///< of all these, sRGB-encoded
 
   [[nodiscard]] bool isClear() const {
     return visibility == std::numeric_limits<double>::infinity() && rain <= 0.0 && snow <= 0.0;

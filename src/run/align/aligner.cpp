@@ -25,19 +25,19 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// How far the world advances after each scene, so that optical flow shows all motion.
+/// How far the world advances after each scene to yield the optical flow of all motion.
 constexpr Duration kProbe = std::chrono::milliseconds(5);
-constexpr double kVagueTime = 0.01;  // [s] beyond this standard deviation the estimate says nothing
+constexpr double kVagueTime = 0.01;  // [s] larger standard deviations make the estimate useless
 constexpr int kMostRounds = 12;
-constexpr double kNearest = 4.0;  // [px] edges are looked for in the last rounds
+constexpr double kNearest = 4.0;  // [px] search range in the last rounds
 
-/// What is seen of all scenes.
+/// What was found in all scenes.
 struct SeenEdges {
   std::vector<std::vector<OutlineEdge>> edges;  ///< of each scene
   label::Alignment alignment;
 };
 
-/// Takes the edges of each scene.
+/// Collects the edges of each scene.
 class EdgeSink : public SceneSink {
  public:
   EdgeSink(double reach, Pose X_FC) : reach_(reach), X_FC_(std::move(X_FC)) {}
@@ -113,13 +113,13 @@ class Aligner {
         focal_scale_(setup_.config.cameras.front().focal_scale) {
     setup_.config.twin.min_alignment = 0.0;
     setup_.config.twin.output = scene::RecordedImageOutput::kReal;
-    setup_.surfaces.reset();  // an edge of what hides an object says nothing of the camera
+    setup_.surfaces.reset();  // an occluder's edge says nothing about the camera
   }
 
   CameraAlignment run(Reporter& reporter) {
     CameraAlignment found;
     constexpr double kShrink = 0.5;
-    constexpr std::size_t kFew = 3;  // a third of the scenes is enough far from the end
+    constexpr std::size_t kFew = 3;  // a third of the scenes suffices in early rounds
     double reach = std::max(12.0, rig().model.width() / 16.0);
     for (int round = 0; round < kMostRounds; ++round) {
       const bool is_near = reach <= kNearest;
@@ -133,7 +133,7 @@ class Aligner {
       found.scenes = seen.edges.size();
       move(fit.change);
       reporter.progress(round + 1, kMostRounds);
-      // What is left is a fifth of what is known.
+      // The remaining change is less than a fifth of its standard deviation.
       const bool is_still =
           (fit.change.cwiseAbs().array() <= 0.2 * fit.stddev.array() + 1e-9).all();
       if (is_near && is_still) break;
@@ -149,8 +149,8 @@ class Aligner {
  private:
   [[nodiscard]] scene::CameraRig& rig() { return setup_.cameras.front(); }
 
-  /// Draws scenes with camera and time as they are now.
-  /// @param every  all, or every n-th
+  /// Draws scenes with the current camera and time offset.
+  /// @param every  uses every n-th scene; 1: all
   SeenEdges look(double reach, std::size_t every) {
     std::vector<Stamp> times;
     for (std::size_t i = 0; i < stamps_.size(); i += every) {
@@ -168,7 +168,7 @@ class Aligner {
     Reporter silent;
     MotionRun run(setup_, no_splits, sink.requirements());
     ScenePipeline pipeline(sink, silent, count);
-    // Times at which TF is not known are left out.
+    // Times at which TF is unknown have been left out.
     const std::vector<Stamp>& there = setup_.timeline.stamps;
     const WorkPlan probed(count, 1, [&](std::int64_t scene) {
       const auto next = static_cast<std::size_t>(scene) + 1;
@@ -198,11 +198,11 @@ class Aligner {
 
   MotionSetup setup_;
   bool finds_focal_length_;
-  std::vector<Stamp> stamps_;  ///< of the scenes, with the offset that was set
+  std::vector<Stamp> stamps_;  ///< of the scenes, with the time offset as configured
   Pose X_FD_;
   Duration time_offset_;
   double focal_scale_;
-  Duration moved_{0};  ///< of time_offset_, since then
+  Duration moved_{0};  ///< change of time_offset_ since then
 };
 
 }  // namespace

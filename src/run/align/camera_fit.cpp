@@ -11,10 +11,10 @@ namespace {
 using SquareMatrix =
     Eigen::Matrix<double, AlignmentVector::RowsAtCompileTime, AlignmentVector::RowsAtCompileTime>;
 
-constexpr double kAlike = 20.0;  // edges that say the same, as neighbours of an outline do
+constexpr double kAlike = 20.0;  // number of correlated edges, as neighbours on an outline are
 constexpr int kReweightings = 10;
 
-/// What is known without any edge: nobody needs more.
+/// Standard deviations of the prior: larger corrections are never needed.
 AlignmentVector farthest() {
   constexpr double kShift = 0.5;  // [m]
   constexpr double kTurn = 0.2;   // [rad]
@@ -25,7 +25,7 @@ AlignmentVector farthest() {
   return change;
 }
 
-/// Weighted sums over edges.
+/// Normal equations: weighted sums over edges.
 struct Normal {
   SquareMatrix matrix = SquareMatrix::Zero();
   AlignmentVector vector = AlignmentVector::Zero();

@@ -8,29 +8,29 @@
 
 namespace synthetic_dataset::run {
 
-/// A change of camera and time that brings outlines to their edges.
+/// A change of camera and time that moves outlines onto their edges.
 struct CameraFit {
   AlignmentVector change = AlignmentVector::Zero();
   AlignmentVector stddev =
-      AlignmentVector::Zero();  ///< of each entry, the others being unknown too
+      AlignmentVector::Zero();  ///< of each entry, with the other entries unknown as well
 };
 
-/// What may change beside the camera's frame.
+/// What may change in addition to the camera's frame.
 struct FitFreedom {
   bool time = true;
   bool focal_length = false;
 };
 
-/// The change by which outlines are nearest to their edges: least squares in which far ones count
-/// less and less (Geman and McClure's loss), solved by reweighting. Outlines are linear in a small
-/// change, so that this is exact for each weighting.
+/// The change that brings outlines closest to their edges: robust least squares that discounts
+/// distant edges (Geman and McClure's loss), solved by iterative reweighting. Outlines are linear
+/// in a small change, so the solution is exact for each weighting.
 ///
-/// Its uncertainty takes the edges of one scene as depending on one another, as they do (Liang and
-/// Zeger 1986, "sandwich"), and is at least that of edges known to a pixel, of which one in
-/// `kAlike` is independent.
+/// Its uncertainty accounts for the correlation of edges within a scene (Liang and Zeger 1986,
+/// "sandwich" estimator), and is at least that of edges located to a pixel of which one in `kAlike`
+/// is independent.
 /// @param scenes  the edges of each scene
-/// @param reach  how far the edges may be [px]
-/// @param freedom  entries of what may not change stay 0
+/// @param reach  how far away the edges may be [px]
+/// @param freedom  entries that may not change stay 0
 [[nodiscard]] CameraFit fitCamera(const std::vector<std::vector<OutlineEdge>>& scenes, double reach,
                                   const FitFreedom& freedom);
 

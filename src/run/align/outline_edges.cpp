@@ -10,17 +10,17 @@ namespace synthetic_dataset::run {
 namespace {
 
 constexpr double kStep = 0.5;             // from sample to sample along a normal [px]
-constexpr double kLeastContrast = 12.0;   // of an edge: blue, green and red summed up
+constexpr double kLeastContrast = 12.0;   // of an edge: sum over blue, green and red
 constexpr std::size_t kMostPoints = 500;  // of a scene
 
 /// Where an outline passes between two pixels.
 struct OutlinePoint {
   cv::Point inside;        ///< the pixel on the object
-  Eigen::Vector2d pixel;   ///< between this and the one beside it
-  Eigen::Vector2d normal;  ///< of length 1, outwards
+  Eigen::Vector2d pixel;   ///< between `inside` and its neighbour outside
+  Eigen::Vector2d normal;  ///< unit vector, outwards
 };
 
-/// A picture between its pixels.
+/// A picture that can be sampled between pixels.
 class SmoothPicture {
  public:
   explicit SmoothPicture(const cv::Mat& image) {
@@ -51,7 +51,7 @@ double contrastOf(const cv::Vec3f& a, const cv::Vec3f& b) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 
-/// The contrast along a normal, from -reach to reach; nothing outside of the picture.
+/// The contrast along a normal, from -reach to reach; empty if this leaves the picture.
 std::vector<double> profileOf(const SmoothPicture& picture, const OutlinePoint& point,
                               double reach) {
   std::vector<double> profile;
@@ -66,8 +66,8 @@ std::vector<double> profileOf(const SmoothPicture& picture, const OutlinePoint& 
   return profile;
 }
 
-/// The strongest edge along a normal, where a far one has to be stronger; between the samples by a
-/// parabola.
+/// The strongest edge along a normal, where distant ones must be stronger; interpolated between
+/// samples with a parabola.
 std::optional<double> edgeDistance(const SmoothPicture& picture, const OutlinePoint& point,
                                    double reach) {
   const std::vector<double> profile = profileOf(picture, point, reach);
@@ -89,7 +89,7 @@ std::optional<double> edgeDistance(const SmoothPicture& picture, const OutlinePo
   return (static_cast<double>(best) + std::clamp(shift, -0.5, 0.5)) * kStep - reach;
 }
 
-/// Whether the outline is that of the pixel inside, and not of something in front of it.
+/// Whether the outline belongs to the pixel inside rather than to something in front of it.
 bool isOwn(const cv::Mat_<float>& depth, const cv::Point& inside, const cv::Point& outside) {
   return depth(outside) == 0.0F || depth(outside) >= depth(inside);
 }
@@ -102,7 +102,7 @@ void addOutline(const Mask& mask, const cv::Mat_<float>& depth, std::vector<Outl
   cv::Mat_<float> soft;
   cv::GaussianBlur(numbers, soft, cv::Size(0, 0), 1.5);
   const cv::Rect bounds = mask.bounds();
-  // The mask's smoothed edge at the image's border is none of the object.
+  // The mask's smoothed edge at the image's border is not an edge of the object.
   const cv::Rect inner(2, 2, soft.cols - 4, soft.rows - 4);
   for (int y = bounds.y; y < bounds.br().y; ++y) {
     for (int x = bounds.x; x < bounds.br().x; ++x) {
@@ -125,8 +125,8 @@ void addOutline(const Mask& mask, const cv::Mat_<float>& depth, std::vector<Outl
   }
 }
 
-/// How a point of the object moves in the picture with the camera's shift and turn: columns of
-/// pixels per metre and radian.
+/// The Jacobian of a point's pixel with respect to the camera's translation and rotation: columns
+/// in pixels per metre and per radian.
 std::optional<Eigen::Matrix<double, 2, 6>> changeOfPixel(const CameraModel& camera,
                                                          const Eigen::Vector3d& p_C,
                                                          const Pose& X_FC) {
@@ -136,7 +136,7 @@ std::optional<Eigen::Matrix<double, 2, 6>> changeOfPixel(const CameraModel& came
   Eigen::Matrix<double, 2, 6> change;
   for (int i = 0; i < 6; ++i) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i % 3);
-    // The camera moves so; the point moves the other way.
+    // The camera moves along or about the axis, so the point moves the opposite way.
     const Eigen::Vector3d moved = i < 3 ? Eigen::Vector3d(-axis) : Eigen::Vector3d(p_F.cross(axis));
     const auto after = camera.project(X_CF * Eigen::Vector3d(p_F + kSmall * moved));
     const auto before = camera.project(X_CF * Eigen::Vector3d(p_F - kSmall * moved));
@@ -173,7 +173,7 @@ std::vector<OutlineEdge> findEdges(const Scene& scene, const OutlineSearch& sear
     if (!distance || !p_C) continue;
     const auto of_camera = changeOfPixel(scene.camera, *p_C, search.X_FC);
     if (!of_camera) continue;
-    // Any lens bends the picture first, and the focal length scales what comes out.
+    // The lens distorts first; then the focal length scales the result.
     const Intrinsics& k = scene.camera.intrinsics();
     const auto seen = scene.camera.project(*p_C);
     if (!seen) continue;

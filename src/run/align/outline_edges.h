@@ -10,30 +10,30 @@
 
 namespace synthetic_dataset::run {
 
-/// What an outline depends on: the shift [m] and the turn [rad] of the camera in its own frame, the
-/// time [s] at which everything is where TF has it, and the logarithm of the focal length.
+/// What an outline depends on: the translation [m] and rotation [rad] of the camera in its own
+/// frame, the time [s] for which poses are taken from TF, and the logarithm of the focal length.
 using AlignmentVector = Eigen::Matrix<double, 8, 1>;
 constexpr Eigen::Index kTimeEntry = 6;
 constexpr Eigen::Index kFocalEntry = 7;
 
-/// A point of an outline, and the edge of the recorded picture that it should lie on.
+/// A point of an outline and the edge in the recorded picture on which it should lie.
 struct OutlineEdge {
-  double distance = 0.0;  ///< of the edge along the outline's normal [px]
+  double distance = 0.0;  ///< to the edge along the outline's normal [px]
 
-  /// How much a small change moves the outline along its normal [px].
+  /// Derivative of the outline's position along its normal [px] with respect to each entry.
   AlignmentVector change = AlignmentVector::Zero();
 };
 
-/// What edges are looked for with.
+/// Parameters of the edge search.
 struct OutlineSearch {
   double reach = 10.0;              ///< how far from the outline [px]
-  Pose X_FC = Pose::Identity();     ///< of the picture's frame in that which is corrected
-  std::optional<double> flow_time;  ///< the time that the optical flow is of [s]; none: unknown
+  Pose X_FC = Pose::Identity();     ///< of the picture's frame in the frame that is corrected
+  std::optional<double> flow_time;  ///< time spanned by the optical flow [s]; nothing if unknown
 };
 
-/// The edges of a scene's picture along the outlines of its objects: of each point the strongest,
-/// rather a near one. Points without a clear edge are left out, and so are those where something
-/// else hides the object.
+/// Finds the edges of a scene's picture along the outlines of its objects: for each point the
+/// strongest edge, with a preference for near ones. Points without a clear edge are left out, as
+/// are those where something else occludes the object.
 /// @param scene  with its recorded image, visible masks, depth and optical flow
 [[nodiscard]] std::vector<OutlineEdge> findEdges(const Scene& scene, const OutlineSearch& search);
 

@@ -17,8 +17,8 @@ namespace {
 
 using Links = std::set<std::size_t>;
 
-/// Links all around objects too, as a hall is that is modelled as one shell: to be inside of these
-/// is right.
+/// Links that also enclose objects, such as a hall modelled as one shell: a camera may be inside
+/// these.
 Links shellsAround(const NamedRays& rays, const std::vector<const Scene*>& scenes) {
   Links shells;
   for (const Scene* scene : scenes) {
@@ -31,7 +31,7 @@ Links shellsAround(const NamedRays& rays, const std::vector<const Scene*>& scene
   return shells;
 }
 
-/// What a point is inside of, other than the shells.
+/// The model, other than the shells, that encloses a point.
 std::optional<std::string> modelAround(const NamedRays& rays, const Links& shells,
                                        const Eigen::Vector3d& p_G) {
   for (const std::size_t link : rays.around(p_G)) {
@@ -40,7 +40,7 @@ std::optional<std::string> modelAround(const NamedRays& rays, const Links& shell
   return std::nullopt;
 }
 
-/// The model of an infinite plane below which a point is.
+/// The model of an infinite plane that lies above a point.
 std::optional<std::string> groundAbove(const world::World& world, const Eigen::Vector3d& p_G) {
   for (std::size_t i = 0; i < world.links().size(); ++i) {
     const world::LinkInstance& link = world.links()[i];
@@ -55,10 +55,10 @@ std::optional<std::string> groundAbove(const world::World& world, const Eigen::V
   return std::nullopt;
 }
 
-/// What covers most of the lens from so near that little else is visible.
+/// The model that covers most of the lens from so close that little else is visible.
 std::optional<std::string> modelBefore(const NamedRays& rays, const Scene& scene) {
   constexpr double kNear = 0.15;  // [m]
-  constexpr int kSteps = 5;       // a side of a grid of pixels
+  constexpr int kSteps = 5;       // per side of a grid of pixels
   std::map<std::string, int> counts;
   for (int i = 0; i < kSteps; ++i) {
     for (int j = 0; j < kSteps; ++j) {
@@ -75,7 +75,7 @@ std::optional<std::string> modelBefore(const NamedRays& rays, const Scene& scene
   return std::nullopt;
 }
 
-/// The object of which nearly all of a picture is.
+/// The object that fills nearly the whole picture.
 std::optional<std::string> objectBefore(const Scene& scene) {
   constexpr double kNearlyAll = 0.9;
   const double pixels = static_cast<double>(scene.camera.width()) * scene.camera.height();
@@ -85,7 +85,7 @@ std::optional<std::string> objectBefore(const Scene& scene) {
   return std::nullopt;
 }
 
-/// What is wrong with a camera's place in a scene, in words.
+/// Describes what is wrong with a camera's place in a scene.
 std::optional<std::string> wrongPlace(const MotionSetup& motion, const NamedRays& rays,
                                       const Links& shells, const Scene& scene) {
   const Eigen::Vector3d p_G = scene.X_GC.translation();
@@ -104,10 +104,10 @@ std::string pointText(const Eigen::Vector3d& p_G) {
   return "[" + fixed(p_G.x(), 2) + ", " + fixed(p_G.y(), 2) + ", " + fixed(p_G.z(), 2) + "]";
 }
 
-/// Why an object is not seen, as messages have it, and how often it is so.
+/// Reasons why an object is not seen, as worded in messages, with their counts.
 using Reasons = std::map<std::string, int>;
 
-/// The object that is seen most where this one would be; empty: the world.
+/// The object that covers most of where this one would be; empty: the world.
 std::string coveringObject(const Scene& scene, const SceneObject& hidden) {
   std::map<std::uint16_t, int> counts;
   const cv::Mat silhouette = hidden.silhouette().whole();
@@ -137,8 +137,8 @@ std::string hiddenBy(const Scene& scene, const SceneObject& object, const NamedR
   return "hidden by '" + hit->model + "'";
 }
 
-/// Kinds of reasons, without figures that differ from scene to scene.
-/// @param object  that is in the scene
+/// The kind of reason, without figures that differ from scene to scene.
+/// @param object  must be in the scene
 std::string whyUnseen(const Scene& scene, const SceneObject& object, const NamedRays& rays) {
   const Eigen::Vector3d p_C = *object.X_CO * object.cuboid_O.centre();
   if (!object.inView(scene.camera)) {
@@ -159,7 +159,7 @@ std::string textOf(const Reasons& reasons) {
   return text;
 }
 
-/// The scenes that an object is in.
+/// The scenes that contain an object.
 std::vector<const Scene*> scenesWith(std::size_t object, const std::vector<const Scene*>& scenes) {
   std::vector<const Scene*> with;
   std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(with),
@@ -167,7 +167,7 @@ std::vector<const Scene*> scenesWith(std::size_t object, const std::vector<const
   return with;
 }
 
-/// @param scenes  that it is in, one at least
+/// @param scenes  at least one; all contain the object
 double nearest(const std::vector<const Scene*>& scenes, std::size_t object) {
   double distance = scenes.front()->objects[object].distance();
   for (const Scene* scene : scenes) {
@@ -176,9 +176,9 @@ double nearest(const std::vector<const Scene*>& scenes, std::size_t object) {
   return distance;
 }
 
-/// Cameras whose pictures are upside down, nearly all of the time.
+/// Finds cameras whose pictures are upside down nearly all of the time.
 std::vector<Finding> upsideDown(const std::vector<const Scene*>& scenes) {
-  constexpr double kSteep = 0.8;    // who looks so far up or down has no horizon
+  constexpr double kSteep = 0.8;    // a camera that looks this steeply up or down has no horizon
   constexpr double kUpright = 0.5;  // the sine of 30 degrees
   struct Count {
     std::size_t scenes = 0;
@@ -205,19 +205,19 @@ std::vector<Finding> upsideDown(const std::vector<const Scene*>& scenes) {
   return findings;
 }
 
-/// How many scenes say that an object is not seen: a camera that is put somewhere for each looks at
-/// one of them.
-std::size_t fewestThatTell(const MotionSetup& motion) {
+/// The minimum number of scenes for concluding that an object is not seen: a camera that is placed
+/// anew for each scene only looks at one object.
+std::size_t minScenesToConclude(const MotionSetup& motion) {
   const bool is_sampled =
       std::any_of(motion.cameras.begin(), motion.cameras.end(),
                   [](const scene::CameraRig& camera) { return camera.sampled; });
   return is_sampled ? 3 * motion.config.robotCount() : 2;
 }
 
-/// Of things that stand in the world, a camera that passes sees some: the first of a class speaks
-/// for all of them, and only where none is seen.
-bool othersSpeak(const MotionSetup& motion, std::size_t object,
-                 const std::vector<const Scene*>& scenes) {
+/// Whether other objects stand in for this one: a passing camera sees only some of the objects that
+/// stand in the world, so the first of a class is reported for all, and only if none is seen.
+bool isReportedByAnother(const MotionSetup& motion, std::size_t object,
+                         const std::vector<const Scene*>& scenes) {
   const std::vector<scene::ObjectOptions>& objects = motion.config.objects;
   if (!objects[object].stands) return false;
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -230,7 +230,7 @@ bool othersSpeak(const MotionSetup& motion, std::size_t object,
   return false;
 }
 
-/// What mends that an object is not seen.
+/// The remedy for an object that is not seen.
 /// @param object  its index
 std::string cureOfUnseen(const MotionSetup& motion, std::size_t object, const Reasons& reasons) {
   const std::string& name = motion.config.objects[object].name;
@@ -266,7 +266,7 @@ std::vector<Finding> checkCameras(const MotionSetup& motion, const NamedRays& ra
     std::string first;
   };
   const Links shells = shellsAround(rays, scenes);
-  std::map<std::pair<std::string, std::string>, Places> wrong;  // by camera and words
+  std::map<std::pair<std::string, std::string>, Places> wrong;  // by camera and description
   for (const Scene* scene : scenes) {
     const auto words = wrongPlace(motion, rays, shells, *scene);
     if (!words) continue;
@@ -291,7 +291,7 @@ std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& ray
   const Links shells = shellsAround(rays, scenes);
   std::vector<Finding> findings;
   for (const world::Light& light : motion.world->description().lights) {
-    // A body around a point light is its bulb, and keeps no light in.
+    // A body around a point light is its bulb, which does not block the light.
     if (light.type != world::LightType::kSpot || !light.casts_shadow) continue;
     const Eigen::Vector3d p_G = light.X_WL.translation();
     const auto model = modelAround(rays, shells, p_G);
@@ -307,7 +307,7 @@ std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& ray
 std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays& rays,
                                      const std::vector<const Scene*>& scenes) {
   std::vector<Finding> findings;
-  const std::size_t few = fewestThatTell(motion);
+  const std::size_t few = minScenesToConclude(motion);
   for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
     const scene::ObjectOptions& config = motion.config.objects[i];
     if (!config.takes_part || config.is_distractor) continue;
@@ -325,7 +325,7 @@ std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays&
     }
     const std::size_t count = with_it.size();
     const bool is_rare = seen == 0 ? count >= few : seen == 1 && count >= 4 * few;
-    if (!is_rare || othersSpeak(motion, i, scenes)) continue;
+    if (!is_rare || isReportedByAnother(motion, i, scenes)) continue;
     findings.push_back({"not seen", config.name,
                         "seen in " + std::string(seen == 0 ? "none" : "1") + " of " +
                             std::to_string(count) + " scenes: " + textOf(reasons) +

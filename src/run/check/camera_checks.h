@@ -9,18 +9,19 @@
 
 namespace synthetic_dataset::run {
 
-/// Cameras inside of something, below the ground, right before a wall, or that see one object
-/// alone.
+/// Finds cameras that are inside something, below the ground or right in front of a wall, or that
+/// see only one object.
 /// @param rays  of the motion's world
 /// @param scenes  of this motion, with visible masks
 [[nodiscard]] std::vector<Finding> checkCameras(const MotionSetup& motion, const NamedRays& rays,
                                                 const std::vector<const Scene*>& scenes);
 
-/// Spot lights that cast shadows and are inside of something, so that none of their light gets out.
+/// Finds spot lights that cast shadows and are inside something, so that none of their light gets
+/// out.
 [[nodiscard]] std::vector<Finding> checkLights(const MotionSetup& motion, const NamedRays& rays,
                                                const std::vector<const Scene*>& scenes);
 
-/// Objects that are seen in none of a motion's scenes, or in next to none, and why not.
+/// Finds objects that are seen in none of a motion's scenes, or in hardly any, and why.
 /// @param rays  of the motion's world
 /// @param scenes  of this motion, with silhouettes, visible masks and visibility
 [[nodiscard]] std::vector<Finding> checkVisibility(const MotionSetup& motion, const NamedRays& rays,

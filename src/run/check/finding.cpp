@@ -8,8 +8,8 @@
 namespace synthetic_dataset::run {
 namespace {
 
-constexpr std::size_t kMostAlike = 4;   // that are each reported by itself
-constexpr std::size_t kMostNamed = 10;  // by the one that speaks for all
+constexpr std::size_t kMostAlike = 4;   // number that are still reported individually
+constexpr std::size_t kMostNamed = 10;  // number named in the merged finding
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::vector<Finding> joinAlike(const std::vector<Finding>& findings) {
       joined.push_back(first);
       continue;
     }
-    if (std::any_of(findings.begin(), begin, isAlike)) continue;  // spoken for
+    if (std::any_of(findings.begin(), begin, isAlike)) continue;  // already merged
     std::vector<std::string> others;
     for (auto other = begin + 1; other != findings.end(); ++other) {
       if (isAlike(*other)) others.push_back(other->about);

@@ -5,12 +5,12 @@
 
 namespace synthetic_dataset::run {
 
-/// Something odd about a run: no error, since someone may want it so.
+/// Something odd about a run: not an error, since it may be intended.
 struct Finding {
-  std::string kind;   ///< for programs, the same for all of its kind: "hidden"
-  std::string about;  ///< an object, a camera, a setting; empty: the run
-  std::string found;  ///< with its figures
-  std::string cure;   ///< what mends it, in settings that a user can write
+  std::string kind;   ///< for programs, the same for all findings of a kind: "hidden"
+  std::string about;  ///< an object, a camera or a setting; empty: the run
+  std::string found;  ///< including figures
+  std::string cure;   ///< the remedy, as settings that a user can write
 
   /// "<found>; <cure>"
   [[nodiscard]] std::string what() const { return found + (cure.empty() ? "" : "; ") + cure; }
@@ -19,7 +19,7 @@ struct Finding {
   [[nodiscard]] std::string message() const { return (about.empty() ? "" : about + ": ") + what(); }
 };
 
-/// Where more than four are of one kind, the first one speaks for the others and names them.
+/// Merges more than four findings of one kind into the first one, which then names the others.
 [[nodiscard]] std::vector<Finding> joinAlike(const std::vector<Finding>& findings);
 
 }  // namespace synthetic_dataset::run

@@ -9,17 +9,17 @@
 
 namespace synthetic_dataset::run {
 
-/// Where a motion's objects are at a time.
+/// The poses of a motion's objects at one time.
 struct Moment {
   Stamp stamp{0};
-  std::vector<std::optional<Pose>> X_GO;  ///< of all objects; none: it is not there
+  std::vector<std::optional<Pose>> X_GO;  ///< of all objects; nothing for an absent one
 };
 
-/// Indices evenly spread over a sequence, the first and the last among them.
+/// Indices evenly spread over a sequence, including the first and the last.
 [[nodiscard]] std::vector<std::size_t> evenlySpread(std::size_t count, std::size_t most);
 
-/// Some hundred times all over a recording, or the placed scenes that were made.
-/// @param scenes  that were made of this motion
+/// Some hundred times spread over a recording, or those of the placed scenes that were made.
+/// @param scenes  made of this motion
 [[nodiscard]] std::vector<Moment> momentsOf(const MotionSetup& motion,
                                             const std::vector<const Scene*>& scenes);
 

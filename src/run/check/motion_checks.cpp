@@ -15,7 +15,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Frames that are nearer together than this have not moved; localisation jitters by more.
+/// Smaller differences do not count as motion; localization jitters by more.
 constexpr double kStill = 1e-4;  // [m] and [rad]
 
 bool isSamePlace(const Pose& one, const Pose& other) {
@@ -23,7 +23,7 @@ bool isSamePlace(const Pose& one, const Pose& other) {
          Eigen::AngleAxisd(one.linear().transpose() * other.linear()).angle() < kStill;
 }
 
-/// A frame of the recording that scenes follow.
+/// A frame of the recording that an object or camera follows.
 struct FollowedFrame {
   std::string owner;  ///< the object or camera
   std::string name;
@@ -48,7 +48,7 @@ std::vector<FollowedFrame> followedFrames(const MotionSetup& motion) {
 
 std::string hertz(double rate) { return fixed(rate, rate < 10.0 ? 2 : 0) + " Hz"; }
 
-/// The shortest time from one transform to the next of any of the frames.
+/// The shortest time between consecutive transforms of any of the frames.
 std::optional<Duration> shortestRecorded(const MotionSetup& motion,
                                          const std::vector<FollowedFrame>& frames) {
   const auto& stamps = motion.timeline.stamps;
@@ -62,10 +62,10 @@ std::optional<Duration> shortestRecorded(const MotionSetup& motion,
 
 void checkRate(const MotionSetup& motion, const std::vector<FollowedFrame>& frames,
                std::vector<Finding>& findings) {
-  constexpr double kDense = 2.5;  // between two transforms there is nothing new but noise
+  constexpr double kDense = 2.5;  // denser scenes show nothing new between two transforms but noise
   const auto recorded = shortestRecorded(motion, frames);
   if (!recorded || motion.timeline.stamps.size() < 2) return;
-  if (motion.pictures) return;  // which are there as they are
+  if (motion.pictures) return;  // whose times are given
   const double rate = 1.0 / toSeconds(*recorded);
   if (motion.config.motion.rate < kDense * rate) return;
   findings.push_back(
@@ -75,7 +75,7 @@ void checkRate(const MotionSetup& motion, const std::vector<FollowedFrame>& fram
        "`simulated_rate: " + fixed(rate, rate < 10.0 ? 1 : 0) + "` or less"});
 }
 
-/// Whether a frame is where it was at all of these times.
+/// Whether a frame has the same pose at all of these times.
 bool standsStill(const MotionSetup& motion, motion::FrameId frame,
                  const std::vector<std::size_t>& times) {
   const auto& stamps = motion.timeline.stamps;
@@ -86,7 +86,7 @@ bool standsStill(const MotionSetup& motion, motion::FrameId frame,
          });
 }
 
-/// Frames with the same prefix that move: those of a robot's base first, then by name.
+/// Moving frames with the same prefix: those of a robot's base first, then by name.
 std::vector<std::string> movingNeighbours(const MotionSetup& motion, const std::string& frame) {
   const std::string prefix = frame.substr(0, frame.rfind('/') + 1);
   if (prefix.empty()) return {};
@@ -106,7 +106,7 @@ std::vector<std::string> movingNeighbours(const MotionSetup& motion, const std::
   return bases;
 }
 
-/// Static on purpose is right; what is published again and again should move.
+/// Finds published frames that never move; frames that are static by design are fine.
 void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFrame>& frames,
                         std::vector<Finding>& findings) {
   const auto& stamps = motion.timeline.stamps;
@@ -131,9 +131,9 @@ void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFra
   }
 }
 
-/// A camera whose frame is that of its body (x ahead, z up) looks into the sky.
+/// Finds cameras that look into the sky because their frame is that of their body (x ahead, z up).
 void checkOpticalFrames(const MotionSetup& motion, std::vector<Finding>& findings) {
-  constexpr double kUpwards = 0.97;  // of the optical axis: within 14 degrees
+  constexpr double kUpwards = 0.97;  // z of the optical axis: within 14 degrees
   const auto& stamps = motion.timeline.stamps;
   for (const scene::CameraRig& camera : motion.cameras) {
     if (!camera.followsFrame() || camera.X_FD) continue;
@@ -153,7 +153,7 @@ void checkOpticalFrames(const MotionSetup& motion, std::vector<Finding>& finding
   }
 }
 
-/// Whether a scene differs from the one before by what is drawn for it.
+/// Whether randomization makes a scene differ from the previous one.
 bool variesByItself(const MotionSetup& motion) {
   const randomize::Randomization& drawn = motion.config.randomization;
   const bool is_sampled =
@@ -164,7 +164,7 @@ bool variesByItself(const MotionSetup& motion) {
          drawn.sensor.field_of_view || drawn.sensor.white_balance || drawn.sensor.jpeg_quality;
 }
 
-/// The frames of the links that move against their objects, too.
+/// All followed frames, and those of links that move relative to their objects.
 std::vector<motion::FrameId> allFrames(const MotionSetup& motion,
                                        const std::vector<FollowedFrame>& frames) {
   std::vector<motion::FrameId> ids;
@@ -179,7 +179,7 @@ std::vector<motion::FrameId> allFrames(const MotionSetup& motion,
 
 void checkEqualScenes(const MotionSetup& motion, const std::vector<motion::FrameId>& frames,
                       std::vector<Finding>& findings) {
-  constexpr double kMany = 0.5;  // of all: a robot may wait now and then
+  constexpr double kMany = 0.5;  // share of all scenes: a robot may wait now and then
   const auto& stamps = motion.timeline.stamps;
   if (stamps.size() < 3 || variesByItself(motion)) return;
   const std::vector<std::size_t> befores = evenlySpread(stamps.size() - 1, 200);
@@ -202,7 +202,7 @@ void checkEqualScenes(const MotionSetup& motion, const std::vector<motion::Frame
                       "lower simulated_rate or randomize makes scenes differ"});
 }
 
-/// How a model's file says in which size its meshes are: URDF and SDF differ.
+/// How a model's file specifies the scale of its meshes: URDF and SDF differ.
 std::string scaleOf(const scene::ObjectOptions& object) {
   const std::string model = object.model.value_or("");
   const bool is_urdf = model.find(".urdf") != std::string::npos ||

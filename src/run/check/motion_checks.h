@@ -8,14 +8,14 @@
 
 namespace synthetic_dataset::run {
 
-/// What is odd about a motion and shows without a picture, in some milliseconds: scenes closer
-/// together than the recording's own rate, objects whose frames are recorded and never move, scenes
-/// in which nothing has moved since the one before, objects as large as a building or as small as a
-/// grain.
+/// Finds oddities of a motion that can be detected without rendering, in a few milliseconds: scenes
+/// closer together than the recording's own rate, objects whose frames are recorded and never move,
+/// scenes in which nothing has moved since the previous one, objects as large as a building or as
+/// small as a grain.
 /// @param motion  without errors
 [[nodiscard]] std::vector<Finding> checkSetup(const MotionSetup& motion);
 
-/// Where there are several motions, findings say of which one they are.
+/// If there are several motions, adds to each finding which one it concerns.
 void nameMotion(const MotionSetup& motion, std::size_t motion_count,
                 std::vector<Finding>& findings);
 

@@ -44,8 +44,8 @@ std::optional<NamedHit> NamedRays::cast(const Eigen::Vector3d& p_G,
 std::set<std::size_t> NamedRays::crossedOddly(const Eigen::Vector3d& p_G,
                                               const Eigen::Vector3d& direction_G) const {
   constexpr double kFar = 1000.0;    // [m]
-  constexpr double kPast = 1e-4;     // the surface that was met [m]
-  constexpr int kMostSurfaces = 64;  // this many behind one another do not enclose anything
+  constexpr double kPast = 1e-4;     // beyond the surface that was hit [m]
+  constexpr int kMostSurfaces = 64;  // so many surfaces in a row do not enclose anything
   std::map<std::size_t, int> crossings;
   Eigen::Vector3d from_G = p_G;
   for (int i = 0; i < kMostSurfaces; ++i) {
@@ -62,7 +62,7 @@ std::set<std::size_t> NamedRays::crossedOddly(const Eigen::Vector3d& p_G,
 }
 
 std::set<std::size_t> NamedRays::around(const Eigen::Vector3d& p_G) const {
-  // Along no axis, where the edges of boxes lie.
+  // Not along an axis, where the edges of boxes lie.
   static const std::array<Eigen::Vector3d, 3> kDirections = {Eigen::Vector3d(0.13, 0.21, 0.97),
                                                              Eigen::Vector3d(-0.94, 0.31, 0.17),
                                                              Eigen::Vector3d(0.27, -0.93, -0.24)};

@@ -11,23 +11,23 @@
 
 namespace synthetic_dataset::run {
 
-/// What a ray meets first.
+/// The first model that a ray hits.
 struct NamedHit {
   std::string model;
   double distance = 0.0;  ///< [m]
 };
 
-/// Rays against what can be seen of a world without its objects, as the world stands.
+/// Casts rays against the visible surfaces of a world without its objects, in its current state.
 class NamedRays {
  public:
-  /// @param world  that has been advanced
+  /// @param world  must have been advanced
   explicit NamedRays(const world::World& world);
 
   [[nodiscard]] std::optional<NamedHit> cast(const Eigen::Vector3d& p_G,
                                              const Eigen::Vector3d& direction_G,
                                              double range) const;
 
-  /// The links, by index, inside of whose surfaces a point lies: rays in three directions leave
+  /// The indices of the links inside whose surfaces a point lies: rays in three directions leave
   /// each of these more often than they enter it.
   [[nodiscard]] std::set<std::size_t> around(const Eigen::Vector3d& p_G) const;
 

@@ -9,7 +9,7 @@ namespace synthetic_dataset::run {
 
 std::optional<output::EarlierRun> earlierRunOf(const RunSetup& setup) {
   const output::StoreOptions& options = setup.config.output;
-  // Without an output_folder, each writer has one of its own.
+  // Without an output_folder, each writer has its own.
   if (options.folder.empty() || options.if_exists == output::IfExists::kOverwrite) {
     return std::nullopt;
   }

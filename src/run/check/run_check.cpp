@@ -25,19 +25,19 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Keeps some scenes of a run, with all that is needed to judge them, and writes nothing.
+/// Keeps some scenes of a run with everything needed to check them; writes nothing.
 class CheckSink : public SceneSink {
  public:
-  /// @param setup  has to outlive this
+  /// @param setup  must outlive this
   /// @param instants  whose scenes are made
   CheckSink(const RunSetup& setup, std::set<std::int64_t> instants);
 
-  /// What the run's writers want, and masks.
+  /// The requirements of the run's writers, and masks.
   [[nodiscard]] Requirements requirements() const override;
   void begin(const DatasetInfo& /*dataset*/) override {}
   [[nodiscard]] bool wants(std::int64_t scene) const override;
 
-  /// Has the writers turn the scene into files, of which the bytes are counted.
+  /// Has the writers turn the scene into files, and counts their bytes.
   [[nodiscard]] std::vector<base::Warning> add(const FinishedScene& finished) override;
   void finish(RunEnd /*end*/) override {}
 
@@ -47,7 +47,7 @@ class CheckSink : public SceneSink {
   /// The size of all scenes' files [byte].
   [[nodiscard]] std::int64_t bytes() const { return bytes_; }
 
-  /// How long the writers took [s], of each scene.
+  /// How long the writers took for each scene [s].
   [[nodiscard]] const std::vector<double>& writingTimes() const { return writing_times_; }
 
  private:
@@ -78,7 +78,7 @@ std::vector<base::Warning> CheckSink::add(const FinishedScene& finished) {
   const output::StoreOptions& options = setup_.config.output;
   for (const output::SceneContent& content :
        output::encodeScene(written.files.files, {options.png_compression, options.jpeg_quality})) {
-    // Files with the same pixels are links to one.
+    // Files with the same pixels are links to a single one.
     bytes_ += static_cast<std::int64_t>(content.bytes().size());
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
@@ -90,7 +90,8 @@ std::vector<base::Warning> CheckSink::add(const FinishedScene& finished) {
   return warnings;
 }
 
-/// Passes reports on, and measures how long the times of a run take: the loop asks before each.
+/// Passes on reports and measures how long each of a run's instants takes: the loop asks whether to
+/// stop before each.
 class CheckWatch : public Reporter {
  public:
   explicit CheckWatch(Reporter& user) : user_(user) {}
@@ -102,7 +103,7 @@ class CheckWatch : public Reporter {
     return user_.stopRequested();
   }
 
-  /// From each question to the next [s].
+  /// The time from each such query to the next [s].
   [[nodiscard]] std::vector<double> times() const {
     std::vector<double> times;
     for (std::size_t i = 1; i < asked_.size(); ++i) {
@@ -116,7 +117,7 @@ class CheckWatch : public Reporter {
   mutable std::vector<std::chrono::steady_clock::time_point> asked_;
 };
 
-/// Some nine scenes, at four times of each motion at least.
+/// The instants of about nine scenes, at least four per motion.
 std::set<std::int64_t> chosenInstants(const RunSetup& setup) {
   constexpr std::size_t kScenes = 9;
   constexpr std::size_t kLeast = 4;
@@ -138,11 +139,12 @@ double medianTime(std::vector<double> times) {
   return *middle;
 }
 
-/// Drawing and writing go on side by side; what lies between scenes is simulated in any case.
+/// Estimates the run's duration: drawing and writing run concurrently; the time between scenes is
+/// simulated in any case.
 double secondsOf(const RunSetup& setup, const CheckSink& sink, std::vector<double> times) {
   const std::size_t made =
       std::min(sink.writingTimes().size() / setup.config.cameras.size(), times.size());
-  // The times at which scenes were made are those that took longest.
+  // The instants at which scenes were made are those that took longest.
   std::sort(times.rbegin(), times.rend());
   const std::vector<double> drawing(times.begin(),
                                     times.begin() + static_cast<std::ptrdiff_t>(made));
@@ -192,7 +194,7 @@ std::vector<Finding> checkScenes(const MotionSetup& motion,
   return joinAlike(findings);
 }
 
-/// Whether it is about a file that `on_missing_asset: warn` lets be missing.
+/// Whether a message is about a missing file that `on_missing_asset: warn` accepts.
 bool isAboutMissingFile(const base::Diagnostic& each, const RunSetup& setup) {
   const bool may_be =
       std::any_of(setup.motions.begin(), setup.motions.end(), [](const MotionSetup& motion) {
@@ -202,7 +204,8 @@ bool isAboutMissingFile(const base::Diagnostic& each, const RunSetup& setup) {
          each.what.find("no such file") != std::string::npos;
 }
 
-/// All of them in a line: they were accepted, and change what is seen at their places alone.
+/// Combines all missing files in one finding: they were accepted, and only affect what is visible
+/// at their places.
 std::optional<Finding> missingFiles(const RunSetup& setup) {
   std::vector<std::string> missing;
   for (const base::Diagnostic& each : setup.diagnostics.all()) {
@@ -218,7 +221,7 @@ std::optional<Finding> missingFiles(const RunSetup& setup) {
                  "`inspect` names all"};
 }
 
-/// What was found at set-up: what is odd, and all else that the user is warned of.
+/// The findings of set-up, and all its other warnings.
 std::vector<Finding> setupFindings(const RunSetup& setup) {
   std::vector<Finding> findings = setup.findings;
   for (const base::Diagnostic& each : setup.diagnostics.all()) {
@@ -231,9 +234,9 @@ std::vector<Finding> setupFindings(const RunSetup& setup) {
   return findings;
 }
 
-/// Checks that a run could write there. Files that this takes are removed again.
+/// Checks that a run could write to the folder. Files created for this are removed again.
 void requireFolder(const std::string& folder) {
-  if (folder.empty()) return;  // each writer has one of its own
+  if (folder.empty()) return;  // each writer has its own
   output::FolderProbe probe;
   probe.tryFolder("output_folder", folder);
   if (!probe.problems().empty()) throw ErrorList(probe.problems());

@@ -15,26 +15,26 @@
 
 namespace synthetic_dataset::run {
 
-/// What a run would be, and what is odd about it.
+/// The result of checking a run: what it would be, and what is odd about it.
 struct RunCheck {
   RunSetup setup;
-  std::vector<FinishedScene> scenes;  ///< some of the run's, spread over it
+  std::vector<FinishedScene> scenes;  ///< a sample spread over the run
   RunFigures figures;
   std::optional<SceneVariety> variety;  ///< of these scenes, if they have labels
-  std::vector<SplitLabels> splits;      ///< what each split would have; none: not known
+  std::vector<SplitLabels> splits;      ///< what each split would have; empty: not known
   std::vector<Finding> findings;
 };
 
-/// Sets a run up, makes some nine of its scenes and judges them. Writes nothing.
+/// Sets up a run, makes about nine of its scenes and checks them. Writes nothing.
 ///
-/// OpenGL belongs to the calling thread.
-/// @param reporter  gets what the scenes warn of
-/// @throws ErrorList with all that keeps the run from beginning
-/// @throws Error when a scene cannot be made
+/// The calling thread owns the OpenGL context.
+/// @param reporter  receives the scenes' warnings
+/// @throws ErrorList with everything that prevents the run from starting
+/// @throws Error if a scene cannot be made
 [[nodiscard]] RunCheck checkRun(const Value& parameters, Reporter& reporter,
                                 const std::vector<std::string>& plugin_xml_files = {});
 
-/// The same of a run that is set up and has made no scene yet.
+/// The same for a run that is set up and has made no scene yet.
 [[nodiscard]] RunCheck checkRun(RunSetup setup, Reporter& reporter);
 
 }  // namespace synthetic_dataset::run

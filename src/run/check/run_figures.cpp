@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A limit of a control group's file; none where it says "max", or is not there.
+/// The limit in a control group's file; nothing if it says "max" or does not exist.
 std::optional<std::int64_t> limitIn(const fs::path& file) {
   std::ifstream stream(file);
   std::int64_t bytes = 0;
@@ -24,7 +24,7 @@ std::optional<std::int64_t> limitIn(const fs::path& file) {
   return bytes;
 }
 
-/// The path of this process's control group, of version 2.
+/// The path of this process's control group (version 2).
 std::string controlGroup() {
   std::ifstream stream("/proc/self/cgroup");
   for (std::string line; std::getline(stream, line);) {
@@ -87,7 +87,7 @@ std::string formatsLine(const RunSetup& setup) {
 std::int64_t peakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  constexpr std::int64_t kUnit = 1024;  // getrusage(2): kilobytes
+  constexpr std::int64_t kUnit = 1024;  // getrusage(2) reports kilobytes
   return usage.ru_maxrss * kUnit;
 }
 

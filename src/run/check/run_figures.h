@@ -10,28 +10,28 @@
 
 namespace synthetic_dataset::run {
 
-/// What a run would take.
+/// The resources that a run would take.
 struct RunFigures {
-  std::int64_t bytes = 0;                 ///< of all scenes' files, as those that were made
-  std::optional<std::int64_t> free_disk;  ///< [byte] where the dataset goes; none: not known
+  std::int64_t bytes = 0;                 ///< of all scenes' files, extrapolated from those made
+  std::optional<std::int64_t> free_disk;  ///< [byte] where the dataset goes; nothing: not known
   double seconds = 0.0;                   ///< about
-  std::int64_t memory = 0;                ///< [byte] at most, of all processes
+  std::int64_t memory = 0;                ///< [byte] peak, of all processes
   std::int64_t memory_limit = 0;          ///< [byte] of the machine or its container
 };
 
-/// How much memory this process has taken at most [byte].
+/// The peak memory of this process [byte].
 [[nodiscard]] std::int64_t peakMemory();
 
-/// What the machine has, or what the process's control group may take [byte].
+/// The memory that the machine has, or that the process's control group may use [byte].
 [[nodiscard]] std::int64_t memoryLimit();
 
-/// What is free for a file in this folder, which need not exist [byte].
+/// The disk space available to files in this folder, which need not exist [byte].
 [[nodiscard]] std::optional<std::int64_t> freeDisk(const std::string& folder);
 
-/// Whether the disk and the memory are too small.
+/// Reports a disk or memory that is too small.
 [[nodiscard]] std::vector<Finding> checkFigures(const RunFigures& figures);
 
-/// The run in lines of text: times, scenes, cameras, formats, splits, and what it takes.
+/// The run in lines of text: times, scenes, cameras, formats, splits, and the resources it takes.
 [[nodiscard]] std::vector<std::string> planLines(const RunSetup& setup, const RunFigures& figures);
 
 }  // namespace synthetic_dataset::run

@@ -9,15 +9,15 @@
 namespace synthetic_dataset::run {
 namespace {
 
-constexpr std::int64_t kTinyLabel = 25;  ///< visible pixels, as 5 x 5
+constexpr std::int64_t kTinyLabel = 25;  ///< visible pixels: 5 x 5
 
-/// What the pixels of a picture have, of full scale 255.
+/// Brightness percentiles of a picture, 0 to 255.
 struct Brightness {
-  double highest = 0.0;  ///< that 98 % do not exceed
-  double lowest = 0.0;   ///< that 98 % are not below
+  double highest = 0.0;  ///< not exceeded by 98 % of the pixels
+  double lowest = 0.0;   ///< not undercut by 98 % of the pixels
 };
 
-/// The brightness of some thousand pixels all over the picture.
+/// Measures a few thousand pixels spread over the picture.
 Brightness brightnessOf(const cv::Mat& image) {
   constexpr int kSteps = 64;
   std::array<std::int64_t, 256> histogram{};
@@ -41,7 +41,8 @@ Brightness brightnessOf(const cv::Mat& image) {
   return {255.0 - static_cast<double>(highest), static_cast<double>(lowest)};
 }
 
-/// A small thing on a plain ground makes no plain picture.
+/// Whether an object is visible: even a small one on a plain ground keeps a picture from being
+/// plain.
 bool seesAnObject(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
     return object.pixels.visible.isKnown() ? object.pixels.visible() > 0
@@ -63,9 +64,9 @@ void SceneStatistics::add(const Scene& scene) {
 
 void SceneStatistics::addPicture(const Scene& scene) {
   if (scene.image.empty()) return;
-  constexpr double kDark = 24.0;  // nothing stands out from the dark
+  constexpr double kDark = 24.0;  // nothing stands out in the dark
   constexpr double kBright = 250.0;
-  constexpr double kPlain = 4.0;  // less than a thing's shading or a sensor's noise
+  constexpr double kPlain = 4.0;  // less than an object's shading or a sensor's noise
   const Brightness found = brightnessOf(scene.image);
   const auto count = [&](Pictures& pictures) {
     if (pictures.count++ == 0) pictures.first = scene.name;
@@ -88,7 +89,7 @@ void SceneStatistics::addLabels(const Scene& scene) {
 }
 
 bool SceneStatistics::areMany(std::int64_t count, std::int64_t of) const {
-  constexpr double kMany = 0.2;  // of all; fewer may be meant, as at a night's end
+  constexpr double kMany = 0.2;  // share of all; fewer may be intended, for example at dawn
   return count > 0 && static_cast<double>(count) >= kMany * static_cast<double>(of);
 }
 

@@ -10,20 +10,21 @@
 
 namespace synthetic_dataset::run {
 
-/// Counts what is odd about finished scenes, in a few numbers however many there are.
+/// Counts oddities of finished scenes, in constant memory.
 class SceneStatistics {
  public:
-  /// @param labels  with which scenes are labelled
+  /// @param labels  the options with which scenes are labelled
   explicit SceneStatistics(const label::LabelOptions& labels)
       : has_thresholds_(labels.hasThresholds()) {}
 
   void add(const Scene& scene);
 
-  /// Pictures that are dark, bright or of one colour, and labels of few pixels.
+  /// Findings about pictures that are dark, bright or of one colour, and about labels of few
+  /// pixels.
   [[nodiscard]] std::vector<Finding> findings() const;
 
  private:
-  /// Pictures of one kind, and which of them came first.
+  /// The number of pictures of one kind, and the first of them.
   struct Pictures {
     std::int64_t count = 0;
     std::string first;

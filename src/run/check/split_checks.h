@@ -9,20 +9,20 @@
 
 namespace synthetic_dataset::run {
 
-/// About how many labels a split would have.
+/// The approximate number of labels in a split.
 struct SplitLabels {
   std::string split;
-  ClassCounts counts;  ///< of the run's classes
+  ClassCounts counts;  ///< for each of the run's classes
 };
 
-/// Of each split of a run, from geometry alone; nothing where there are no splits, or where some
-/// scenes are put together at random, whose labels are not known before.
+/// Estimates the labels of each split of a run, from geometry only; empty if there are no splits,
+/// or if some scenes are composed at random, whose labels are not known in advance.
 [[nodiscard]] std::vector<SplitLabels> labelsOfSplits(const RunSetup& setup);
 
 /// "labels, as far as boxes reach into the picture: train 153 rover; val 38 rover"
 [[nodiscard]] std::string splitLine(const RunSetup& setup, const std::vector<SplitLabels>& splits);
 
-/// Whether a split would have no label, or none of a class that others have.
+/// Finds splits that would have no label, or none of a class that others have.
 [[nodiscard]] std::vector<Finding> checkSplits(const RunSetup& setup,
                                                const std::vector<SplitLabels>& splits);
 

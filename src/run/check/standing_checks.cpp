@@ -11,7 +11,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// An object as it stands, seen from the side.
+/// An object's vertical extent and centre.
 struct Standing {
   double top = 0.0;     ///< z of its model's highest corner [m]
   double bottom = 0.0;  ///< [m]
@@ -29,18 +29,18 @@ Standing standingOf(const Cuboid& box_O, const Pose& X_GO) {
   return standing;
 }
 
-/// What an object has below it over a motion.
+/// What is below an object in the course of a motion.
 struct Below {
   std::size_t moments = 0;
   std::vector<std::size_t> without_ground;  ///< moments
-  std::vector<double> gaps;                 ///< from its bottom to the ground [m]; below 0: in it
+  std::vector<double> gaps;                 ///< from the ground to its bottom [m]; negative if sunk
   double height = 0.0;                      ///< of the object [m]
-  std::string ground;                       ///< the model that was there last
+  std::string ground;                       ///< the last model found there
   std::vector<std::size_t> in_walls;        ///< moments
-  std::string wall;                         ///< the model of the first
+  std::string wall;                         ///< the model of the first such wall
 };
 
-/// From the ground under an object, or above it where the object is buried, up to its bottom.
+/// Measures the gap from the ground, which is above a buried object, to the object's bottom.
 void lookBelow(const Standing& standing, const NamedRays& rays, std::size_t moment, Below& below) {
   constexpr double kDeepest = 100.0;  // [m]
   Eigen::Vector3d top_G = standing.middle_G;
@@ -60,12 +60,12 @@ void lookBelow(const Standing& standing, const NamedRays& rays, std::size_t mome
   below.without_ground.push_back(moment);
 }
 
-/// Looks for walls inside of an object: sideways from its middle, as far as half of its narrower
-/// side.
+/// Looks for walls inside an object: casts rays sideways from its centre, well within half of its
+/// narrower side.
 void lookAround(const Cuboid& box_O, const Pose& X_GO, const NamedRays& rays, std::size_t moment,
                 Below& below) {
   constexpr int kDirections = 8;
-  constexpr double kWell = 0.7;  // of half of its width; what touches it is not in it
+  constexpr double kWell = 0.7;  // of half of its width; what only touches it is not inside
   const double reach = kWell * 0.5 * box_O.size().head<2>().minCoeff();
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2.0 * M_PI * i / kDirections;
@@ -112,7 +112,8 @@ double medianGap(std::vector<double> numbers) {
   return *middle;
 }
 
-/// Whether it is about as high above the ground nearly all the time: what flies is not.
+/// Whether the height above the ground is nearly constant most of the time, unlike that of a flying
+/// object.
 bool isSteady(const std::vector<double>& gaps, double median) {
   constexpr double kSteady = 0.015;  // [m]
   constexpr double kNearlyAll = 0.8;
@@ -122,8 +123,8 @@ bool isSteady(const std::vector<double>& gaps, double median) {
 }
 
 void checkGap(const std::string& object, const Below& below, std::vector<Finding>& findings) {
-  constexpr double kLeast = 0.03;  // [m]; wheels sink as much into what recordings call the ground
-  constexpr double kHover = 0.75;  // of its height; what is higher is meant to fly
+  constexpr double kLeast = 0.03;  // [m]; wheels sink this far into the ground of recordings
+  constexpr double kHover = 0.75;  // of its height; an object that is higher is meant to fly
   if (below.gaps.empty()) return;
   const double gap = medianGap(below.gaps);
   if (!isSteady(below.gaps, gap)) return;
@@ -142,7 +143,7 @@ void checkGap(const std::string& object, const Below& below, std::vector<Finding
   }
 }
 
-/// Whether it is put anywhere in a volume, and most of the time above the ground.
+/// Whether it is placed anywhere in a volume and is above the ground most of the time.
 bool hangsByChance(const MotionSetup& motion, const Below& below) {
   constexpr double kHangs = 0.03;  // [m]
   const auto hanging =
@@ -169,8 +170,8 @@ std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& r
   for (std::size_t i = 0; i < motion.config.objects.size(); ++i) {
     const scene::ObjectOptions& object = motion.config.objects[i];
     if (!object.takes_part || object.is_distractor) continue;
-    if (object.stands && !object.X_GM) continue;        // the world's author has put it there
-    if (motion.variants[i].all().size() > 1) continue;  // which stand at several heights
+    if (object.stands && !object.X_GM) continue;        // placed by the world's author
+    if (motion.variants[i].all().size() > 1) continue;  // these stand at several heights
     const Cuboid box_O = motion.shapes->boxesAtRest(i).front();
     Below below;
     for (std::size_t at = 0; at < moments.size(); ++at) {

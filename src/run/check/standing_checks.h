@@ -8,7 +8,8 @@
 
 namespace synthetic_dataset::run {
 
-/// Objects with nothing below them, and such as stand in the ground or above it all the time.
+/// Finds objects with nothing below them, and objects that are always sunk into the ground or above
+/// it.
 /// @param rays  of the motion's world
 [[nodiscard]] std::vector<Finding> checkStanding(const MotionSetup& motion, const NamedRays& rays,
                                                  const std::vector<Moment>& moments);

@@ -15,9 +15,9 @@
 namespace synthetic_dataset::run {
 namespace {
 
-constexpr int kWidth = 64;  ///< of the small image in which detail is looked for [px]
+constexpr int kWidth = 64;  ///< of the small image in which detail is measured [px]
 
-/// The small image's pixels that show no label.
+/// Mask of the small image's pixels that show no label.
 cv::Mat surroundingsOf(const Scene& scene, const cv::Size& size) {
   cv::Mat surroundings(size, CV_8U, cv::Scalar::all(1));
   const double scale = static_cast<double>(size.width) / scene.image.cols;

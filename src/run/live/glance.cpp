@@ -12,9 +12,9 @@
 namespace synthetic_dataset::run {
 namespace {
 
-constexpr int kShrunk = 2;  // of each side
+constexpr int kShrunk = 2;  // per side
 
-/// The same view with fewer pixels, whose centres have whole coordinates.
+/// The same view with fewer pixels, whose centres have integer coordinates.
 CameraModel coarse(const CameraModel& camera) {
   const int width = std::max(1, camera.width() / kShrunk);
   const int height = std::max(1, camera.height() / kShrunk);
@@ -30,7 +30,7 @@ CameraModel coarse(const CameraModel& camera) {
           camera.distortion()};
 }
 
-/// The camera stands at a pose, whatever else it does.
+/// Puts the camera at a pose, overriding what it would follow or look at.
 void putAt(const Pose& X_GC, scene::CameraRig& rig) {
   rig.X_GC = X_GC;
   rig.looks_at.reset();

@@ -20,7 +20,7 @@ namespace synthetic_dataset::run {
   return numbersValue({point.x(), point.y(), point.z()});
 }
 
-/// [x, y, z, qx, qy, qz, qw], as settings have a pose.
+/// [x, y, z, qx, qy, qz, qw], in the form used for poses in settings.
 [[nodiscard]] inline Value poseValue(const Pose& X) {
   const Eigen::Vector3d p = X.translation();
   const Eigen::Quaterniond q(X.linear());

@@ -16,7 +16,7 @@ namespace {
 
 using config::groupIn;
 
-/// Whether the motion has the object and its world.
+/// Whether the motion has a world and the object.
 bool has(const MotionSetup& motion, const std::string& object) {
   const auto& objects = motion.config.objects;
   return motion.world &&
@@ -30,7 +30,7 @@ void eraseFrom(Value::Map* settings, const std::vector<std::string>& names) {
   for (const std::string& name : names) settings->erase(name);
 }
 
-/// What changes nothing about where things are and when.
+/// Erases settings that do not affect where things are and when.
 void eraseLooks(Value::Map& settings, const config::Config& config) {
   eraseFrom(&settings, {"labels", "masks", "background_subtractor", "writers", "image", "classes",
                         "world_classes", "output_folder", "if_exists"});
@@ -46,8 +46,8 @@ void eraseLooks(Value::Map& settings, const config::Config& config) {
   if (randomize == nullptr || randomize->empty()) eraseFrom(&settings, {"seed", "randomize"});
 }
 
-/// All that decides how a motion's world moves; what does not is left out as far as it is often
-/// changed.
+/// Everything that determines how a motion's world moves; other settings are left out if they
+/// change often.
 std::string movementText(const MotionSetup& motion, const output::RunDescription& run) {
   Value settings = motion.entry.settings;
   if (auto* map = settings.as<Value::Map>()) eraseLooks(*map, motion.config);
@@ -75,7 +75,7 @@ void LiveInputs::forget() {
   motion_.reset();
 }
 
-/// Where something is wrong, it may be a file that comes any time.
+/// After an error, nothing counts as current: a missing file may appear at any time.
 bool LiveInputs::areFilesCurrent() const {
   return !errors_ && files_.areCurrent() && cache_.worlds.areCurrent();
 }
@@ -128,7 +128,7 @@ void LiveInputs::giveHistories(RunSetup& run) {
   }
   worlds_read_ = cache_.worlds.readCount();
   for (MotionSetup& motion : run.motions) {
-    // Their sweeps would have the history keep the world a thousand times a second.
+    // With lidar sweeps, the history would keep the world's state a thousand times per second.
     if (!motion.config.lidars.empty()) continue;
     std::shared_ptr<WorldHistory>& history = histories_[movementText(motion, run.description)];
     if (!history) history = std::make_shared<WorldHistory>();
@@ -152,7 +152,7 @@ const MotionSetup* LiveInputs::madeMotionWith(const std::string& object) const {
 
 const MotionSetup& LiveInputs::motionWith(const std::string& object) {
   (void)described();
-  if (madeRun() == nullptr && !errors_) setUp();  // after a check that has failed
+  if (madeRun() == nullptr && !errors_) setUp();  // after a failed check
   if (const MotionSetup* made = madeMotionWith(object)) return *made;
   if (!errors_) {
     throw ErrorList({"found no object '" + object + "'" + didYouMean(object, described_->objects)});

@@ -18,7 +18,8 @@
 
 namespace synthetic_dataset::run {
 
-/// The settings of a LiveRun and what was made of them so far; anew when they or files change.
+/// The settings of a LiveRun and what has been made from them so far; made anew when settings or
+/// files change.
 class LiveInputs {
  public:
   LiveInputs(std::vector<std::string> plugin_xml_files, base::OnStage on_stage)
@@ -29,37 +30,37 @@ class LiveInputs {
   void setSettings(const Value& settings);
   [[nodiscard]] const Value& settings() const { return settings_; }
 
-  /// What the settings amount to.
+  /// Describes the run that results from the settings.
   [[nodiscard]] const LiveSetup& described();
 
-  /// The same with what a check has found, until the settings change.
+  /// Replaces the description by that of a check, until the settings change.
   void describe(LiveSetup checked) { described_ = std::move(checked); }
 
   /// A run that has made no scene yet: the caller may have it make one.
   /// @throws ErrorList with what keeps it from beginning
   [[nodiscard]] RunSetup& unusedRun();
 
-  /// After scenes were made of the unused run, which is for looking at from now on.
+  /// Call after the unused run has made scenes; from then on it may only be looked at.
   void noteUsed();
 
-  /// The unused run, for good. @throws ErrorList as unusedRun
+  /// Hands over the unused run. @throws ErrorList as unusedRun
   [[nodiscard]] RunSetup takeUnusedRun();
 
-  /// A run that was taken and has made scenes, for looking at.
+  /// Takes back a run that has made scenes, to be looked at.
   void giveBack(RunSetup used_run) { used_run_ = std::make_unique<RunSetup>(std::move(used_run)); }
 
-  /// A run of these settings that is only looked at; null where there is none.
+  /// A run with these settings, only to be looked at; null if there is none.
   [[nodiscard]] const RunSetup* madeRun() const { return run_ ? run_.get() : used_run_.get(); }
 
-  /// A run of other settings that read much of the same.
+  /// A run with other settings that shares most of its inputs.
   /// @throws ErrorList as setUpRun
   [[nodiscard]] RunSetup runOf(const Value& settings);
 
-  /// The settings of the first motion, as far as they are right.
+  /// The settings of the first motion, as far as they are valid.
   [[nodiscard]] config::Config config() const;
 
-  /// A motion with a world in which the object takes part.
-  /// @throws ErrorList where there is none, with what is wrong
+  /// A motion in whose world the object takes part.
+  /// @throws ErrorList if there is none, with what is wrong
   [[nodiscard]] const MotionSetup& motionWith(const std::string& object);
 
   [[nodiscard]] InputCache& cache() { return cache_; }
@@ -80,10 +81,11 @@ class LiveInputs {
   std::optional<ErrorList> errors_;
   std::unique_ptr<RunSetup> run_;       ///< has made no scene yet
   std::unique_ptr<RunSetup> used_run_;  ///< has
-  std::optional<MotionSetup> motion_;   ///< where there is no run
-  FileStamps files_;                    ///< of the run's
+  std::optional<MotionSetup> motion_;   ///< set if there is no run
+  FileStamps files_;                    ///< read by the run
 
-  /// By all that decides how a motion's world moves, of worlds that were read so often.
+  /// By everything that determines how a motion's world moves; valid as long as no further world is
+  /// read (`worlds_read_`).
   std::map<std::string, std::shared_ptr<WorldHistory>> histories_;
   std::int64_t worlds_read_ = 0;
 };

@@ -25,13 +25,13 @@ Value knownValue(const RecordedFrame& frame, Stamp start) {
 Value frameValue(const RecordedFrame& frame, Stamp start, bool looks_like_robot) {
   Value::Map map = {{"name", frame.name},           {"parent", frame.parents.front()},
                     {"is_static", frame.is_static}, {"known", knownValue(frame, start)},
-                    {"moved", frame.way_length},    {"turned", frame.turned},
+                    {"moved", frame.path_length},   {"turned", frame.turned},
                     {"gaps", frame.gap_count},      {"looks_like_robot", looks_like_robot}};
   if (frame.period.count() > 0) map["rate"] = 1.0 / toSeconds(frame.period);
   return map;
 }
 
-/// The frames that are listed, in their order.
+/// The frames to list, in their order.
 std::vector<const RecordedFrame*> listedFrames(const std::vector<RecordedFrame>& all) {
   std::vector<const RecordedFrame*> listed;
   for (const RecordedFrame& frame : all) {
@@ -41,12 +41,12 @@ std::vector<const RecordedFrame*> listedFrames(const std::vector<RecordedFrame>&
   return listed;
 }
 
-/// The ways of robots first, then the longest ones.
+/// The paths of robots first, then the longest ones.
 Value waysValue(const std::vector<const RecordedFrame*>& frames,
                 const std::set<std::string>& robots) {
   std::vector<const RecordedFrame*> with_way;
   std::copy_if(frames.begin(), frames.end(), std::back_inserter(with_way),
-               [](const RecordedFrame* frame) { return !frame->way_G.empty(); });
+               [](const RecordedFrame* frame) { return !frame->path_G.empty(); });
   std::stable_sort(with_way.begin(), with_way.end(), [&](const auto* a, const auto* b) {
     const bool a_first = robots.count(a->name) != 0;
     const bool b_first = robots.count(b->name) != 0;
@@ -56,7 +56,7 @@ Value waysValue(const std::vector<const RecordedFrame*>& frames,
   Value::Map ways;
   for (const RecordedFrame* frame : with_way) {
     Value::List points;
-    for (const Eigen::Vector3d& p_G : frame->way_G) {
+    for (const Eigen::Vector3d& p_G : frame->path_G) {
       points.push_back(numbersValue({p_G.x(), p_G.y()}));
     }
     ways[frame->name] = points;

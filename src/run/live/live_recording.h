@@ -8,15 +8,15 @@
 
 namespace synthetic_dataset::run {
 
-/// The recording that settings name, whatever else is right or wrong with them.
+/// The recording that settings name, regardless of any other errors in them.
 struct LiveRecording {
   std::vector<std::string> bags;
-  motion::BagContents contents;  ///< ways are in the global frame, where TF has that
+  motion::BagContents contents;  ///< paths are in the global frame if TF has it
 };
 
-/// For programs. Times are counted from the recording's start [s]; ways are points [x, y] [m].
-/// In a recording with thousands of frames the static ones are left out, then the last ones;
-/// their number is given.
+/// For programs. Times are relative to the recording's start [s]; paths are points [x, y] [m]. In a
+/// recording with thousands of frames the static ones are left out first, then the last ones; the
+/// number left out is given.
 [[nodiscard]] Value::Map recordingValue(const LiveRecording& recording);
 
 }  // namespace synthetic_dataset::run

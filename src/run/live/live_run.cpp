@@ -21,7 +21,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// How long something took, by the clock and by all processors together.
+/// Measures elapsed time, and processor time over all processors.
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {
@@ -40,7 +40,7 @@ class Stopwatch {
   double processor_start_ = processorTime();
 };
 
-/// Index of the scene that an instant and a camera mean.
+/// The index of the scene of a camera at an instant.
 std::int64_t sceneOf(const RunSetup& run, std::int64_t instant, const std::string& camera) {
   if (instant < 0 || instant >= run.instantCount()) {
     throw Error("found instant " + std::to_string(instant) + "; the run has 0 to " +
@@ -74,9 +74,9 @@ struct LiveRun::Impl {
       : inputs(std::move(plugin_xml_files), std::move(on_stage)) {}
 
   LiveInputs inputs;
-  std::unique_ptr<Glance> glance;          ///< while nothing else draws
-  std::optional<LiveRecording> recording;  ///< the last one that was asked for
-  std::string recording_frame;             ///< in which its ways are
+  std::unique_ptr<Glance> glance;          ///< only while nothing else draws
+  std::optional<LiveRecording> recording;  ///< the last one requested
+  std::string recording_frame;             ///< the frame of its paths
   FileStamps recording_files;
 };
 

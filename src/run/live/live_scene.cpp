@@ -22,7 +22,7 @@ Value boxValue(const std::optional<Box>& box) {
   return numbersValue({box->left, box->top, box->width(), box->height()});
 }
 
-/// The rings are along pixels' edges, in coordinates in which the image spans 0 to its width.
+/// The rings follow pixel edges, in coordinates in which the image spans 0 to its width.
 Value polygonsValue(const Mask& mask) {
   Value::List polygons;
   for (const masks::Ring& ring : masks::edgeRings(mask)) {
@@ -46,7 +46,7 @@ Value keypointValue(const Keypoint& keypoint) {
   return values;
 }
 
-/// @param X_CO  nothing: the points are nowhere
+/// @param X_CO  nothing: the points have no pixels
 template <class Points>
 Value projectedValue(const Points& points_O, const std::optional<Pose>& X_CO,
                      const CameraModel& camera) {
@@ -109,7 +109,8 @@ Value::Map sceneValue(const LiveScene& live) {
 }
 
 cv::Mat depthPicture(const cv::Mat& depth) {
-  // By 1 / z, which is how finely depth is seen, and which far walls do not darken.
+  // Brightness is linear in 1 / z, which matches how finely depth is perceived and is not darkened
+  // by far walls.
   float nearest = std::numeric_limits<float>::max();
   for (auto z = depth.begin<float>(); z != depth.end<float>(); ++z) {
     if (*z > 0.0F) nearest = std::min(nearest, *z);

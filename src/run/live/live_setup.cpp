@@ -10,8 +10,8 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// The setting that a text names by its full name, as "camera/pose" or "motions/0/bag_file" do;
-/// empty for a file or a sentence.
+/// The path of the setting whose full name a text is, such as "camera/pose" or
+/// "motions/0/bag_file"; empty for a file or a sentence.
 std::vector<std::string> settingPath(const std::string& text) {
   const auto isOfName = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '/';
@@ -121,7 +121,7 @@ LiveSetup describeCheck(const RunCheck& check, const std::vector<std::string>& w
   LiveSetup live = describeSetup(check.setup);
   const std::size_t at_setup = live.problems.size();
   for (const Finding& finding : check.findings) {
-    if (finding.kind == kEarlierDataset) continue;  // addEarlierRun says it
+    if (finding.kind == kEarlierDataset) continue;  // added by addEarlierRun
     const LiveProblem problem = problemOf(finding);
     const bool is_known = std::any_of(
         live.problems.begin(), live.problems.begin() + static_cast<std::ptrdiff_t>(at_setup),
@@ -139,7 +139,7 @@ LiveSetup describeCheck(const RunCheck& check, const std::vector<std::string>& w
 
 void addEarlierRun(const RunSetup& run, LiveSetup& live) {
   live.earlier = earlierRunOf(run);
-  if (live.earlier && live.earlier->is_written) live.earlier.reset();  // maybe the user's own
+  if (live.earlier && live.earlier->is_written) live.earlier.reset();  // maybe the user's run
   const auto finding = checkEarlierRun(run, live.earlier);
   if (finding) live.problems.push_back(problemOf(*finding));
 }

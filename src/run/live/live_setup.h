@@ -17,27 +17,27 @@ namespace synthetic_dataset::run {
 /// Something about the settings that the user should know.
 struct LiveProblem {
   base::Severity severity = base::Severity::kError;
-  std::string about;              ///< a setting's full name, an object, a file; empty: the run
-  std::vector<std::string> path;  ///< of the setting that it is about; empty where it names none
+  std::string about;              ///< a setting's full name, an object or a file; empty: the run
+  std::vector<std::string> path;  ///< of the setting that it is about; empty if there is none
   std::string found;
-  std::string cure = {};  ///< empty where `found` says it
+  std::string cure = {};  ///< empty if `found` says it
 };
 
-/// What settings amount to.
+/// Describes the run that results from settings.
 struct LiveSetup {
-  bool ready = false;  ///< whether a run could begin
+  bool ready = false;  ///< whether a run could start
   std::vector<LiveProblem> problems;
 
-  // For a run that could begin:
+  // For a run that could start:
   std::vector<Stamp> stamps;         ///< of its instants
   std::vector<std::string> cameras;  ///< their names
   std::vector<std::string> objects;
-  std::int64_t scenes = 0;  ///< of all cameras
+  std::int64_t scenes = 0;  ///< over all cameras
   std::vector<SplitInfo> splits;
   std::string output_folder;
   std::optional<RunFigures> figures;  ///< of a run that was checked
 
-  /// The dataset that is where the run would write; nothing while a run writes it.
+  /// The dataset that already exists where the run would write; nothing while a run is writing it.
   std::optional<output::EarlierRun> earlier;
 };
 
@@ -46,18 +46,19 @@ struct LiveSetup {
 
 [[nodiscard]] LiveProblem problemOf(const Finding& finding);
 
-/// What a run that could begin amounts to.
+/// Describes a run that could start.
 [[nodiscard]] LiveSetup describeSetup(const RunSetup& setup);
 
-/// The same with all that a check has found.
+/// The same with all findings of a check.
 /// @param warnings  of its scenes
 [[nodiscard]] LiveSetup describeCheck(const RunCheck& check,
                                       const std::vector<std::string>& warnings);
 
-/// Adds what is where the run would write, which changes without the settings.
+/// Adds the dataset that already exists where the run would write, which changes independently of
+/// the settings.
 void addEarlierRun(const RunSetup& run, LiveSetup& live);
 
-/// What keeps a run from beginning.
+/// Describes what prevents a run from starting.
 [[nodiscard]] LiveSetup describeErrors(const ErrorList& errors);
 
 /// For programs.

@@ -13,7 +13,7 @@ namespace {
 constexpr int kNarrowest = 64;  // [px]
 constexpr int kWidest = 2048;   // [px]
 
-/// An object's first model at rest, its frame in the place of the world's, and how it is seen.
+/// An object's first model at rest, with its frame as the world frame, and the view of it.
 class Studio {
  public:
   Studio(const MotionSetup& motion, std::size_t object, const Viewpoint& viewpoint)
@@ -63,7 +63,7 @@ ObjectPortrait portrayObject(const MotionSetup& motion, std::size_t object,
   const render::View view = studio.view();
   const Pose X_CO = view.X_WC.inverse();
   const world::RayCaster rays = studio.rays();
-  const double near = 0.01 * studio.bounds().diagonal().norm();  // [m]: points on a rough surface
+  const double near = 0.01 * studio.bounds().diagonal().norm();  // [m]: on a rough surface
   for (const Eigen::Vector3d& p_O : motion.config.objects[object].keypoints_O) {
     const auto pixel = view.camera.project(X_CO * p_O);
     if (!pixel) continue;

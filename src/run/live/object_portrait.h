@@ -13,39 +13,39 @@
 
 namespace synthetic_dataset::run {
 
-/// From where an object is looked at, and how wide the picture is.
+/// The direction from which an object is viewed, and the picture's width.
 struct Viewpoint {
-  double yaw = 0.6;     ///< about the object's z, 0 from where its x points [rad]
-  double pitch = 0.35;  ///< above its x and y [rad]
+  double yaw = 0.6;     ///< about the object's z; 0 views from its +x side [rad]
+  double pitch = 0.35;  ///< above its xy plane [rad]
   int width = 640;      ///< [px]; the height is three quarters of it
 };
 
 /// A keypoint on a portrait.
 struct PortraitPoint {
   Eigen::Vector2d pixel{0, 0};
-  bool is_visible = false;  ///< nothing of the object is before it
+  bool is_visible = false;  ///< not hidden by the object itself
 };
 
-/// A picture of an object alone.
+/// A picture of nothing but an object.
 struct ObjectPortrait {
   cv::Mat picture;                       ///< CV_8UC3
-  std::vector<PortraitPoint> keypoints;  ///< as the settings have them
-  Cuboid box_O;                          ///< around all that is seen of it
+  std::vector<PortraitPoint> keypoints;  ///< in the order of the settings
+  Cuboid box_O;                          ///< around everything visible of it
 };
 
 /// A point on an object's surface.
 struct PickedPoint {
   std::string link;
-  Eigen::Vector3d p_O{0, 0, 0};  ///< in the frame in which keypoints are written [m]
+  Eigen::Vector3d p_O{0, 0, 0};  ///< in the frame used for keypoints [m]
 };
 
-/// @param motion  with its world
+/// @param motion  must have its world
 /// @param object  its index
-/// @throws Error where there is nothing to see of it
+/// @throws Error if nothing of it is visible
 [[nodiscard]] ObjectPortrait portrayObject(const MotionSetup& motion, std::size_t object,
                                            const Viewpoint& viewpoint);
 
-/// What a pixel of the object's portrait shows; nothing beside the object.
+/// The point shown by a pixel of the object's portrait; nothing if the pixel misses the object.
 [[nodiscard]] std::optional<PickedPoint> pickPoint(const MotionSetup& motion, std::size_t object,
                                                    const Viewpoint& viewpoint,
                                                    const Eigen::Vector2d& pixel);

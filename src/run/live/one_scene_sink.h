@@ -34,10 +34,10 @@ class OneSceneSink : public SceneSink {
   }
   void finish(RunEnd /*end*/) override {}
 
-  /// The scene, once it was made.
+  /// The scene, once it has been made.
   [[nodiscard]] const std::optional<Scene>& scene() const { return scene_; }
 
-  /// What was drawn for it.
+  /// The randomization draws made for it.
   [[nodiscard]] const std::vector<base::DrawFacts>& draws() const { return draws_; }
 
  private:

@@ -17,14 +17,14 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 enum class Layer { kGround, kStanding, kAbove };
 
 Layer layerOf(const Triangle& triangle, double ground) {
-  constexpr double kStep = 0.15;    // [m]; what is lower is the ground
+  constexpr double kStep = 0.15;    // [m]; anything lower is the ground
   constexpr double kCeiling = 2.2;  // [m]
   const auto [low, high] = std::minmax({triangle[0].z(), triangle[1].z(), triangle[2].z()});
   if (low > ground + kCeiling) return Layer::kAbove;
   return high < ground + kStep ? Layer::kGround : Layer::kStanding;
 }
 
-/// Calls `see` with each triangle of what stands still.
+/// Calls `see` with each triangle of static models and props.
 template <class See>
 void forTriangles(const std::vector<world::LinkInstance>& links, const std::vector<Pose>& X_WL,
                   const See& see) {
@@ -64,11 +64,11 @@ void drawFloorPlan(MapPaper& paper, const std::vector<world::LinkInstance>& link
 
 double floorHeight(const std::vector<world::LinkInstance>& links, const std::vector<Pose>& X_WL) {
   constexpr double kStep = 0.05;     // [m]
-  constexpr double kUpright = 0.95;  // of a level triangle's normal along z
+  constexpr double kUpright = 0.95;  // a horizontal triangle's normal along z is larger
   std::map<std::int64_t, double> areas;
   forTriangles(links, X_WL, [&](const Triangle& triangle) {
     const Eigen::Vector3d normal =
-        (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);  // of twice its area
+        (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);  // length: twice its area
     if (!(std::abs(normal.z()) > kUpright * normal.norm())) return;
     areas[std::llround(triangle[0].z() / kStep)] += 0.5 * normal.norm();
   });

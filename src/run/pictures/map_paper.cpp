@@ -19,7 +19,7 @@ const cv::Scalar kMapPaper(250, 250, 250);
 const cv::Scalar kGridInk(205, 205, 205);
 const cv::Scalar kTextInk(40, 40, 40);
 
-/// The largest of 1, 2, 5, 10, ... that is not above a length.
+/// The largest of ..., 1, 2, 5, 10, ... that does not exceed a length.
 double roundLength(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
   for (const double factor : {5.0, 2.0}) {

@@ -11,13 +11,13 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Texture names that a material may have.
+/// All textures that a material may have; null if absent.
 std::vector<const world::Texture*> texturesOf(const world::Material& material) {
   return {material.texture.get(), material.normal_map.get(), material.roughness_map.get(),
           material.metalness_map.get(), material.emissive_map.get()};
 }
 
-/// A grey square under the model, a little lower so that it does not cut through the model's own.
+/// A grey square under the model, slightly lower so that it does not intersect the model's own.
 world::Link groundUnder(const Eigen::AlignedBox3d& bounds) {
   constexpr double kGap = 0.002;   // of the model's size
   constexpr double kWidth = 60.0;  // of the model's size: to the horizon
@@ -112,7 +112,7 @@ Eigen::Vector3d directionFrom(double longitude, double latitude) {
 render::View portraitView(const Eigen::AlignedBox3d& bounds_W, const cv::Size& size,
                           const Eigen::Vector3d& ahead_W) {
   constexpr double kFocalLength = 1.6;  // of the picture's width: a slight telephoto lens
-  constexpr double kFilled = 0.88;      // of the picture, by the box
+  constexpr double kFilled = 0.88;      // share of the picture filled by the box
   Eigen::Matrix3d R_WC;
   R_WC.col(2) = ahead_W.normalized();
   R_WC.col(0) = R_WC.col(2).cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -122,7 +122,7 @@ render::View portraitView(const Eigen::AlignedBox3d& bounds_W, const cv::Size& s
   const double half_height = 0.5 * kFilled * size.height / focal;
   const Eigen::Vector3d centre = bounds_W.center();
   const double extent = std::max(bounds_W.diagonal().norm(), 1e-6);
-  // The least distance at which each corner is within the picture.
+  // The smallest distance at which every corner is within the picture.
   double distance = extent;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d corner = bounds_W.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));

@@ -7,7 +7,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Scenes are numbered through all cameras.
+/// Cameras must agree, since scenes are numbered across all cameras.
 void checkCameras(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics) {
   const auto namesOf = [](const MotionSetup& motion) {
     std::string names;
@@ -26,7 +26,7 @@ void checkCameras(const std::vector<MotionSetup>& motions, base::Diagnostics& di
   }
 }
 
-/// All scenes of a dataset have the same clouds.
+/// Lidars must agree, since all scenes of a dataset have the same clouds.
 void checkLidars(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics) {
   const auto namesOf = [](const MotionSetup& motion) {
     std::set<std::string> names;
@@ -43,7 +43,7 @@ void checkLidars(const std::vector<MotionSetup>& motions, base::Diagnostics& dia
   }
 }
 
-/// Labelled distractors are objects of the dataset, which all motions share.
+/// Labelled distractors must agree, as they are objects of the dataset that all motions share.
 void checkDistractors(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics) {
   const auto hasSome = [](const MotionSetup& motion) {
     return motion.config.robotCount() < motion.config.objects.size();
@@ -57,7 +57,8 @@ void checkDistractors(const std::vector<MotionSetup>& motions, base::Diagnostics
   }
 }
 
-/// Their names are the dataset's; what they mean is each world's own.
+/// Class names must agree, as they belong to the dataset; what they select may differ between
+/// worlds.
 void checkWorldClasses(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics) {
   const auto namesOf = [](const MotionSetup& motion) {
     std::set<std::string> names;
@@ -74,7 +75,8 @@ void checkWorldClasses(const std::vector<MotionSetup>& motions, base::Diagnostic
 
 }  // namespace
 
-void checkAlike(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics) {
+void checkMotionsCompatible(const std::vector<MotionSetup>& motions,
+                            base::Diagnostics& diagnostics) {
   checkCameras(motions, diagnostics);
   checkLidars(motions, diagnostics);
   checkDistractors(motions, diagnostics);

@@ -7,9 +7,10 @@
 
 namespace synthetic_dataset::run {
 
-/// Adds an error for each motion that differs from the first one in what a dataset has once: its
-/// cameras and lidars, labelled distractors, the names of its world classes.
+/// Adds an error for each motion that differs from the first one in something that a dataset has
+/// only one set of: cameras and lidars, labelled distractors, the names of world classes.
 /// @param motions  at least one
-void checkAlike(const std::vector<MotionSetup>& motions, base::Diagnostics& diagnostics);
+void checkMotionsCompatible(const std::vector<MotionSetup>& motions,
+                            base::Diagnostics& diagnostics);
 
 }  // namespace synthetic_dataset::run

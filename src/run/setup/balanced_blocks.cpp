@@ -9,7 +9,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// A recording is cut into this many pieces, or as many as it has times.
+/// A recording is cut into this many pieces, or into as many as it has times, if fewer.
 constexpr std::size_t kMostPieces = 20;
 
 using Pieces = std::vector<std::size_t>;
@@ -42,7 +42,7 @@ class Divider {
       return config_.shares[a].second < config_.shares[b].second;
     });
     for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-      const std::size_t others = order.size() - 1 - i;  // each of which needs a piece, too
+      const std::size_t others = order.size() - 1 - i;  // each of these needs a piece, too
       choose(order[i], others);
     }
     std::vector<std::uint8_t> splits;
@@ -66,8 +66,8 @@ class Divider {
     return pieces;
   }
 
-  /// How far a choice is from what a split should have: a class that it lacks counts most, then one
-  /// that it leaves none of for the others.
+  /// How far a choice is from the ideal for a split: classes that it lacks, or of which it leaves
+  /// none for the other splits, count most, and then deviations from its share.
   [[nodiscard]] double cost(const Pieces& chosen, double share) const {
     ClassCounts own(total_.size(), 0);
     ClassCounts rest(total_.size(), 0);
@@ -86,7 +86,8 @@ class Divider {
     return sum;
   }
 
-  /// The best stretch of pieces; where it lacks a class, the best pieces one by one.
+  /// Assigns the best contiguous pieces or, if scattered pieces are clearly better, the best ones
+  /// one by one.
   void choose(std::size_t split, std::size_t others) {
     const double share = config_.shares[split].second;
     const Pieces pieces = free();
@@ -105,9 +106,9 @@ class Divider {
 
   [[nodiscard]] Pieces bestStretch(const Pieces& pieces, std::size_t count, double share) const {
     Pieces best;
-    // The latest of equals: like `blocks`, which has train first.
+    // Takes the latest of equals, like `blocks`, which has train first.
     for (std::size_t first = 0; first + count <= pieces.size(); ++first) {
-      if (pieces[first + count - 1] - pieces[first] != count - 1) continue;  // not side by side
+      if (pieces[first + count - 1] - pieces[first] != count - 1) continue;  // not contiguous
       const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
       const Pieces stretch(begin, begin + static_cast<std::ptrdiff_t>(count));
       if (best.empty() || cost(stretch, share) <= cost(best, share)) best = stretch;
@@ -138,7 +139,7 @@ class Divider {
   std::size_t time_count_;
   std::vector<ClassCounts> labels_;  ///< of each piece
   ClassCounts total_;
-  std::vector<std::optional<std::size_t>> owner_;  ///< of each piece: a share, but the largest
+  std::vector<std::optional<std::size_t>> owner_;  ///< of each piece: a share; none: the largest
 };
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 namespace synthetic_dataset::run {
 
-/// Divides a recording's times into blocks so that each split has labels of each class, where that
-/// can be, and about its share of them: the smaller splits choose first. A split may have several
-/// blocks where one would lack a class.
-/// @param labels  of each time
-/// @return the index of the share that each time goes to
+/// Divides a recording's times into blocks so that each split has labels of each class, if
+/// possible, and roughly its share of them: the smaller splits choose first. A split may receive
+/// several blocks if a single one would lack a class.
+/// @param labels  expected at each time
+/// @return the index of the share to which each time goes
 [[nodiscard]] std::vector<std::uint8_t> balancedBlocks(const config::SplitConfig& config,
                                                        const std::vector<ClassCounts>& labels);
 

@@ -13,14 +13,14 @@ namespace {
 /// The centres of the boxes around an object's variants, in its frame.
 std::vector<Eigen::Vector3d> middlesOf(const MotionSetup& setup, std::size_t object) {
   std::vector<Eigen::Vector3d> middles;
-  if (!setup.shapes) return middles;  // what is wrong is noted
+  if (!setup.shapes) return middles;  // the error is already noted
   for (const Cuboid& box_O : setup.shapes->boxesAtRest(object)) {
     middles.push_back(box_O.centre());
   }
   return middles;
 }
 
-/// What is placed has a frame of its own: else one would be where the other is.
+/// Whether a placed camera's frame belongs to something else, which would then move with it.
 bool isTaken(const std::string& frame, const scene::CameraOptions& camera, MotionSetup& setup) {
   std::string owner = frame == setup.config.global_frame ? "global_frame" : "";
   for (const scene::ObjectOptions& object : setup.config.objects) {
@@ -36,7 +36,7 @@ bool isTaken(const std::string& frame, const scene::CameraOptions& camera, Motio
   return true;
 }
 
-/// Whether a camera stands or looks nowhere while an object is not known.
+/// Whether a camera's pose or direction is undefined while an object's pose is unknown.
 bool needs(const MotionSetup& setup, std::size_t camera, std::size_t object) {
   const scene::CameraRig& rig = setup.cameras[camera];
   const auto name = setup.config.objects[object].name;
@@ -64,7 +64,7 @@ void setUpCameras(MotionSetup& setup,
     const bool no_source = !camera.info_file && !camera.info_topic && !camera.sensor;
     if (two_sources || no_source) continue;  // reported already
     if (!setup.frames || (!sensors && camera.sensor)) {
-      // What it needs besides is reported; its calibration may be wrong, too.
+      // What else it lacks has been reported; its calibration may be wrong, too.
       (void)setup.diagnostics.attempt([&] { scene::checkInfoFile(camera); });
       continue;
     }
@@ -85,7 +85,7 @@ void setUpCameras(MotionSetup& setup,
   scene::notePictureFrames(setup.cameras, setup.diagnostics);
 }
 
-void needWhatCamerasNeed(MotionSetup& setup) {
+void requireObjectsOfCameras(MotionSetup& setup) {
   for (std::size_t i = 0; i < setup.config.objects.size(); ++i) {
     scene::ObjectOptions& object = setup.config.objects[i];
     if (object.when_unknown == scene::WhenUnknown::kSkipScene) continue;

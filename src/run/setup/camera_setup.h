@@ -9,12 +9,14 @@
 /// The cameras of a motion.
 namespace synthetic_dataset::run {
 
-/// Makes the cameras, after frames, world and objects. Notes errors; what has one is not there.
-/// @param sensors  of the world; none: it cannot be read
+/// Creates the cameras, after frames, world and objects. Notes errors; anything with an error is
+/// left out.
+/// @param sensors  of the world; nothing if it cannot be read
 void setUpCameras(MotionSetup& setup,
                   const std::optional<std::vector<world::CameraSensor>>& sensors);
 
-/// Has no scene made while an object is not known on which a camera stands or at which one looks.
-void needWhatCamerasNeed(MotionSetup& setup);
+/// Prevents scenes at times when the pose of an object that carries a camera, or at which a camera
+/// looks, is unknown.
+void requireObjectsOfCameras(MotionSetup& setup);
 
 }  // namespace synthetic_dataset::run

@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLevels = 6;  // folders that are looked at, from the file's own on
-constexpr std::size_t kHead = std::size_t{1} << 20U;  // [byte] where a mesh's `asset` is looked for
+constexpr int kLevels = 6;  // folders searched, starting with the file's own
+constexpr std::size_t kHead = std::size_t{1} << 20U;  // [byte] searched for a mesh's `asset`
 
 std::string headOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -50,7 +50,7 @@ void forEachChild(const tinyxml2::XMLElement& element, const char* name, const U
   }
 }
 
-/// What a file says about itself and others.
+/// Makes a credit that names `file` as the source of both texts.
 Credit namedIn(const fs::path& file, const std::string& author, const std::string& license) {
   return {author, author.empty() ? fs::path() : file, license, license.empty() ? fs::path() : file};
 }
@@ -74,7 +74,7 @@ Credit creditOfCollada(const fs::path& file) {
   return namedIn(file, author, license);
 }
 
-/// The text of a JSON object, from its brace to the one that closes it.
+/// The text of a JSON object, from its opening to its closing brace.
 std::string objectAt(const std::string& text, std::size_t brace) {
   int depth = 0;
   bool is_quoted = false;
@@ -106,18 +106,18 @@ Credit creditOfGltf(const fs::path& file) {
         entries == nullptr ? Value::Map::const_iterator() : entries->find("copyright");
     if (entries == nullptr || found == entries->end()) return {};
     return namedIn(file, "", world::trimmed(found->second.text()));
-  } catch (const Error&) {  // no JSON: who reads the mesh says so
+  } catch (const Error&) {  // not JSON: reported when the mesh is read
     return {};
   }
 }
 
-/// The first element of a file; null where it is not there, or no XML.
+/// The root element of a file; null if the file does not exist or is not XML.
 const tinyxml2::XMLElement* rootOf(const fs::path& file, tinyxml2::XMLDocument& document) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return nullptr;
   try {
     return base::parseXml(document, base::readInput(file)) ? nullptr : document.RootElement();
-  } catch (const Error&) {  // it may not be read
+  } catch (const Error&) {  // not readable
     return nullptr;
   }
 }
@@ -163,7 +163,7 @@ Credit creditOfLicenseFile(const fs::path& folder) {
   return {};
 }
 
-/// What the first does not say, the second may.
+/// Fills in from `other` what `credit` lacks.
 Credit completed(Credit credit, const Credit& other) {
   if (credit.author.empty()) {
     credit.author = other.author;

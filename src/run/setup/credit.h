@@ -6,12 +6,12 @@
 
 namespace synthetic_dataset::run {
 
-/// Who made a file and what may be done with it, as far as files say so. What publishes pictures of
-/// a model has to name them.
+/// Who made a file and what may be done with it, as far as files say so. Whoever publishes pictures
+/// of a model has to name its authors.
 struct Credit {
-  std::string author;               ///< several are divided by "; "
+  std::string author;               ///< several are separated by "; "
   std::filesystem::path author_in;  ///< the file that names them
-  std::string license;              ///< as it is written: a name, a copyright, a file's name
+  std::string license;              ///< as written: a name, a copyright notice, a file's name
   std::filesystem::path license_in;
 };
 
@@ -21,7 +21,7 @@ struct Credit {
 /// nearest first.
 class CreditFinder {
  public:
-  /// @param file  absolute; one that cannot be read says nothing
+  /// @param file  absolute; one that cannot be read yields no credit
   [[nodiscard]] Credit creditOf(const std::filesystem::path& file);
 
  private:

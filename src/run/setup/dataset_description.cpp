@@ -31,12 +31,12 @@ ObjectInfo describeObject(const scene::ObjectOptions& config) {
   return object;
 }
 
-/// @param field_of_view  that is drawn for each scene
+/// @param field_of_view  drawn at random for each scene
 CameraDescription describeCamera(const scene::CameraRig& camera,
                                  const std::optional<base::Distribution>& field_of_view) {
   CameraDescription description{camera.name, camera.optical_frame, camera.model, false};
   if (!field_of_view) return description;
-  // What is always the same is not drawn.
+  // A constant field of view does not vary.
   description.intrinsics_vary = field_of_view->lowest() < field_of_view->highest();
   if (!description.intrinsics_vary &&
       scene::canHaveFieldOfView(camera.model, field_of_view->highest())) {
@@ -50,11 +50,11 @@ bool areAlike(const CameraModel& a, const CameraModel& b) {
          a.distortion() == b.distortion();
 }
 
-/// A camera in all motions.
+/// Describes a camera across all motions.
 CameraDescription describeCamera(std::size_t camera, const std::vector<MotionSetup>& motions) {
   std::vector<CameraDescription> descriptions;
   for (const MotionSetup& motion : motions) {
-    if (camera >= motion.cameras.size()) continue;  // something is wrong with it
+    if (camera >= motion.cameras.size()) continue;  // it has an error
     descriptions.push_back(
         describeCamera(motion.cameras[camera], motion.config.randomization.sensor.field_of_view));
   }
@@ -66,8 +66,8 @@ CameraDescription describeCamera(std::size_t camera, const std::vector<MotionSet
   return description;
 }
 
-/// Whether an object has several models, sizes or shapes, in all motions that it takes part in. Of
-/// those that are the world's own, worlds are taken to have the same one.
+/// Whether an object has several models, sizes or shapes, over all motions in which it takes part.
+/// Models that come from worlds are assumed to be the same in every world.
 bool modelVaries(std::size_t object, const std::vector<MotionSetup>& motions) {
   std::set<std::tuple<std::string, double, int>> found;
   for (const MotionSetup& motion : motions) {

@@ -9,9 +9,9 @@
 
 namespace synthetic_dataset::run {
 
-/// What writers get before the first scene.
-/// @param config  what holds for the whole dataset
-/// @param motions  at least one; the description holds on to the links of their worlds
+/// Builds the description that writers receive before the first scene.
+/// @param config  the settings that apply to the whole dataset
+/// @param motions  at least one; the description refers to the links of their worlds
 [[nodiscard]] DatasetInfo describeDataset(const config::Config& config,
                                           const std::vector<MotionSetup>& motions,
                                           const SplitPlan& splits);

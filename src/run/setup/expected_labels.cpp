@@ -8,7 +8,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Whether the middle of a box or one of its corners is in the image.
+/// Whether the centre of a box or one of its corners is in the image.
 bool isInView(const CameraModel& camera, const Cuboid& box_O, const Pose& X_CO) {
   std::vector<Eigen::Vector3d> points_O{box_O.centre()};
   for (const Eigen::Vector3d& corner : box_O.corners()) points_O.push_back(corner);

@@ -11,10 +11,10 @@ namespace synthetic_dataset::run {
 /// cameras' images.
 using ClassCounts = std::vector<std::int64_t>;
 
-/// The labels that a recording's scenes would about have, at each of its times: boxes of objects
-/// that reach into the image, whatever hides them. Nothing is drawn for it. Cameras that are put
-/// somewhere anew for each scene look at objects there, and do not count.
-/// @return nothing where scenes are placed at random, or a part of the motion is not there
+/// Estimates the labels of a recording's scenes, at each of its times: objects whose boxes reach
+/// into the image, ignoring occlusion. Nothing is drawn for this. Cameras that are placed anew for
+/// each scene are aimed at objects, and do not count.
+/// @return nothing if scenes are placed at random, or if a part of the motion is missing
 [[nodiscard]] std::vector<ClassCounts> expectedLabels(const MotionSetup& motion);
 
 }  // namespace synthetic_dataset::run

@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::run {
 
-/// By which it is seen that a file's content is another one.
+/// Size and modification time, which reveal whether a file's content has changed.
 struct FileStamp {
   std::uintmax_t size = 0;  ///< [byte]
   std::filesystem::file_time_type changed;
@@ -17,17 +17,18 @@ struct FileStamp {
   }
 };
 
-/// Nothing where there is no regular file.
+/// Nothing if there is no regular file.
 [[nodiscard]] std::optional<FileStamp> stampOf(const std::filesystem::path& file);
 
-/// What files were like when something was made of them.
+/// The state of files when something was made from them.
 class FileStamps {
  public:
-  /// Begins before the files are read: what is written to meanwhile counts as changed.
+  /// Construct before reading the files: a file that is written to in the meantime counts as
+  /// changed.
   FileStamps() : begin_(std::filesystem::file_time_type::clock::now()) {}
 
-  /// A file that was read, or was looked for and is not there. Once it was added, adding it again
-  /// changes nothing.
+  /// Adds a file that was read, or that was looked for and does not exist. Adding a file again has
+  /// no effect.
   void add(const std::filesystem::path& file);
 
   /// Whether all files are as they were when they were added.
@@ -36,7 +37,7 @@ class FileStamps {
  private:
   std::filesystem::file_time_type begin_;
   std::map<std::filesystem::path, std::optional<FileStamp>> stamps_;
-  bool has_changed_ = false;  ///< while it was read
+  bool has_changed_ = false;  ///< while being read
 };
 
 }  // namespace synthetic_dataset::run

@@ -14,18 +14,18 @@
 
 namespace synthetic_dataset::run {
 
-/// What a run is set up from and takes long to read: worlds with meshes and pictures, recordings,
-/// digests. A second run that is set up with the same cache does not read again what has not
-/// changed, and gets what it would have read.
+/// Inputs of a run that take long to read: worlds with meshes and pictures, recordings, digests. A
+/// second run that is set up with the same cache does not read unchanged inputs again, and receives
+/// exactly what it would have read.
 class InputCache {
  public:
-  /// @param on_stage  called when a step begins that may take long
+  /// @param on_stage  called at the start of a step that may take long
   explicit InputCache(base::OnStage on_stage = base::ignoreStage) : worlds(std::move(on_stage)) {}
 
   WorldCache worlds;
   RecordingCache recordings;
 
-  /// Sizes and digests of the files that a dataset is made from.
+  /// Sizes and digests of the files from which a dataset is made.
   /// @throws Error naming a file that cannot be read
   [[nodiscard]] std::map<std::string, output::RunDescription::Input> describe(
       const std::set<std::string>& files);

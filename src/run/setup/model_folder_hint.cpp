@@ -41,8 +41,8 @@ fs::path placeInModels(const std::string& uri) {
   return {};
 }
 
-/// From the nearest on: the world's folder and those above it, the folders in each of these, and
-/// theirs that are called `models`.
+/// From nearest to farthest: the world's folder and those above it, their subfolders, and the
+/// subfolders of these that are called `models`.
 std::vector<fs::path> foldersNear(const fs::path& world_file) {
   constexpr int kNearLevels = 3;
   std::vector<fs::path> near;

@@ -14,22 +14,22 @@
 
 namespace synthetic_dataset::run {
 
-/// Variants of models, each made once: objects with the same model share them, and so do motions.
+/// Variants of models, each made once and shared by all objects and motions with the same model.
 class ModelVarieties {
  public:
-  /// @param own  the model of the object's variant as it is
-  /// @param variant  whose number is not 0
-  /// @param seed  of the run; what was made with another one is let go of
+  /// @param own  the unmodified model of the object's variant
+  /// @param variant  its number is not 0
+  /// @param seed  of the run; variants made with another seed are released
   const randomize::VariedModel& variantOf(const world::Model& own, world::Simulator simulator,
                                           const scene::ObjectVariant& variant,
                                           const scene::ObjectOptions& object, std::uint64_t seed);
 
  private:
-  /// The model, or the object whose model is the world's, and the kind of variety.
+  /// The model (or the object, if its model comes from the world) and the kind of variety.
   using Key = std::tuple<std::optional<std::string>, std::string, world::TemplateArguments,
                          world::Simulator, randomize::Variety>;
 
-  /// Variants of a model, by their numbers.
+  /// Variants of a model, by number.
   struct Varieties {
     std::optional<randomize::ObjectVariety> source;
     std::map<int, randomize::VariedModel> made;

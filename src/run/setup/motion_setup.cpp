@@ -18,7 +18,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Nothing where the settings name none, which is an error already.
+/// Null if the settings name none, which has already been reported as an error.
 std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& config,
                                                       InputCache& inputs) {
   switch (config.motion.source) {
@@ -31,7 +31,7 @@ std::shared_ptr<const motion::FrameSource> makeSource(const config::Config& conf
   return nullptr;
 }
 
-/// Sets a motion up part by part; what fails is noted, and the parts that need it are passed over.
+/// Sets up a motion part by part; failures are noted, and parts that depend on them are skipped.
 class MotionBuilder {
  public:
   MotionBuilder(config::MotionEntry entry, config::Config config, InputCache& inputs,
@@ -60,7 +60,7 @@ class MotionBuilder {
   [[nodiscard]] const config::Config& config() const { return setup_.config; }
   [[nodiscard]] base::Diagnostics& diagnostics() { return setup_.diagnostics; }
 
-  /// Objects that do not take part have a frame that no other one has.
+  /// Gives objects that do not take part frames that nothing else has.
   void leaveOutOthers() {
     const std::set<std::string>& named = setup_.entry.objects;
     if (named.empty()) return;
@@ -71,7 +71,7 @@ class MotionBuilder {
     }
   }
 
-  /// Runs a step that makes a part; none when it failed, with the errors noted.
+  /// Runs a step that makes a part; null if it failed, with the errors noted.
   template <class Make>
   auto attempt(Make make) -> decltype(make()) {
     auto made = diagnostics().attempt(make);
@@ -87,7 +87,7 @@ class MotionBuilder {
     if (!source) return;
     setup_.frames = std::make_unique<motion::PlacedFrames>(std::move(source));
     if (config().isPlaced()) placeObjects();
-    // Labelled distractors among them are placed scene by scene, what physics moves too.
+    // Labelled distractors are also placed scene by scene, as is what physics moves.
     for (const scene::ObjectOptions& each : config().objects) {
       if (!each.takes_part) setup_.frames->place(each.frame, std::nullopt);
       if (each.takes_part && each.stands) placeSomewhere(each.frame);
@@ -108,7 +108,7 @@ class MotionBuilder {
     }
   }
 
-  /// What was left out of the recording may be what is missing.
+  /// Data that was left out of the recording may explain what is missing.
   void reportSource() {
     if (!setup_.frames) return;
     base::Diagnostics notes;
@@ -140,7 +140,7 @@ class MotionBuilder {
     return frames;
   }
 
-  /// Frames that are placed scene by scene are known from the start.
+  /// Makes frames that are placed scene by scene known from the start.
   motion::FrameId placeSomewhere(const std::string& frame) {
     return setup_.frames->place(frame, Pose::Identity());
   }
@@ -180,19 +180,19 @@ class MotionBuilder {
     noteStrangeSizes();
   }
 
-  /// Millimetres, for one.
+  /// Warns of strange sizes, such as numbers in millimetres.
   void noteStrangeSizes() {
     if (!setup_.shapes) return;
     for (std::size_t i = 0; i < config().objects.size(); ++i) {
       const scene::ObjectOptions& object = config().objects[i];
-      const bool varies = setup_.variants[i].all().size() > 1;  // and what is given with it
+      const bool varies = setup_.variants[i].all().size() > 1;  // and points with it
       if (object.takes_part && !object.is_distractor && !varies) {
         checkSizes(object, setup_.shapes->boxesAtRest(i).front(), diagnostics());
       }
     }
   }
 
-  /// Points that are given are those of one model.
+  /// Notes points that were given for one model but apply to several.
   void noteSharedShapes() {
     for (std::size_t i = 0; i < config().objects.size(); ++i) {
       const scene::ObjectOptions& object = config().objects[i];
@@ -240,7 +240,8 @@ class MotionBuilder {
     });
   }
 
-  /// Frames that settings name are not shared, as the settings' reader checks.
+  /// Whether the frame of a lidar's clouds belongs to a sensor already; frames named in the
+  /// settings have been checked by the settings' reader.
   bool isTaken(const lidar::LidarRig& lidar) {
     if (!setup_.isSensorFrame(lidar.frame)) return false;
     diagnostics().error(lidar.group + "/frame_id",
@@ -250,7 +251,7 @@ class MotionBuilder {
     return true;
   }
 
-  /// Scenes of recorded pictures are at their times, whatever the setting of the rate.
+  /// Scenes of recorded pictures are made at the pictures' times, whatever rate is set.
   void findPictures() {
     if (!config().isTwin() || !setup_.frames || setup_.cameras.size() != config().cameras.size()) {
       return;
@@ -282,7 +283,7 @@ class MotionBuilder {
     });
   }
 
-  /// Pictures and clouds of the recording that the scenes have.
+  /// Checks the recorded pictures and clouds that the scenes use.
   void checkRecorded() {
     if (setup_.world && !setup_.timeline.stamps.empty()) {
       checkClouds(setup_.lidars, setup_.timeline.stamps, *setup_.world, diagnostics());
@@ -313,8 +314,8 @@ class MotionBuilder {
     if (!setup_.frames || config().objects.empty()) return;
     if (config().isTwin() && !setup_.pictures) return;  // reported already
     if (config().hasRecordedTimes() && setup_.lidars.size() != config().lidars.size()) return;
-    needWhatCamerasNeed(setup_);
-    forgetInHoles(config(), *setup_.frames);
+    requireObjectsOfCameras(setup_);
+    markAbsentInGaps(config(), *setup_.frames);
     auto timeline = diagnostics().attempt([&] {
       auto stamps = recordedTimes();
       if (stamps) stamps = scenesWithClouds(setup_.lidars, std::move(*stamps), diagnostics());
@@ -326,7 +327,7 @@ class MotionBuilder {
     setup_.timeline = std::move(*timeline);
   }
 
-  /// The times of the recorded pictures, or clouds, that scenes are of.
+  /// The times of the recorded pictures, or clouds, for which scenes are made.
   [[nodiscard]] std::optional<std::vector<Stamp>> recordedTimes() const {
     if (setup_.pictures) return setup_.pictures->stamps();
     const lidar::LidarOptions* timing = config().timingLidar();
@@ -340,7 +341,7 @@ class MotionBuilder {
   InputCache& inputs_;
   const base::OnStage& on_stage_;
   MotionSetup setup_;
-  std::optional<std::vector<world::CameraSensor>> sensors_;  ///< none: the world cannot be read
+  std::optional<std::vector<world::CameraSensor>> sensors_;  ///< nothing: the world cannot be read
   lidar::LidarSurroundings around_lidars_;
 };
 

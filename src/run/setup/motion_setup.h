@@ -27,46 +27,46 @@ namespace synthetic_dataset::run {
 class InputCache;
 class WorldHistory;
 
-/// What the scenes of one of a run's motions are made of: where things go, in which world, seen by
-/// which cameras, and when.
+/// Everything that the scenes of one of a run's motions are made from: where things move, in which
+/// world, seen by which cameras, and when.
 struct MotionSetup {
   config::MotionEntry entry;
-  config::Config config;  ///< all settings that hold for it
+  config::Config config;  ///< all settings that apply to it
   std::unique_ptr<motion::PlacedFrames> frames;
   motion::Timeline timeline;
-  std::int64_t first_instant = 0;               ///< in the run, of its timeline's first time
+  std::int64_t first_instant = 0;               ///< index in the run of its timeline's first time
   std::vector<scene::ObjectVariants> variants;  ///< of each object
   std::unique_ptr<world::World> world;
-  std::shared_ptr<WorldHistory> history;  ///< of one that moves alike, to be read and added to
+  std::shared_ptr<WorldHistory> history;  ///< of one that moves identically; read and extended
   std::vector<scene::CameraRig> cameras;
   std::vector<lidar::LidarRig> lidars;
-  std::unique_ptr<scene::CameraPictures> pictures;    ///< recorded ones that scenes have, if any
+  std::unique_ptr<scene::CameraPictures> pictures;    ///< recorded ones shown in scenes, if any
   std::unique_ptr<scene::MeasuredSurfaces> surfaces;  ///< recorded with the pictures, if any
   std::vector<std::vector<scene::DrivenLinks>> driven_links;  ///< of each object's variants
-  std::vector<std::uint16_t> world_classes;     ///< of the world's links, their values in maps
-  std::vector<std::uint16_t> parts;             ///< of the world's links, their values in maps
+  std::vector<std::uint16_t> world_classes;     ///< values of the world's links in maps
+  std::vector<std::uint16_t> parts;             ///< values of the world's links in maps
   std::unique_ptr<scene::ObjectShapes> shapes;  ///< of the objects
   std::unique_ptr<scene::SceneArranger> arranger;
   std::unique_ptr<scene::SceneVariation> variation;
 
-  std::set<std::string> inputs;    ///< files of the world and of its models
-  std::set<std::string> included;  ///< others that these are described in: model.sdf, ...
-  base::Diagnostics diagnostics;   ///< where something is wrong, what needs it is not there
+  std::set<std::string> inputs;    ///< files of the world and its models
+  std::set<std::string> included;  ///< further files that describe them: model.sdf, ...
+  base::Diagnostics diagnostics;   ///< whatever depends on something wrong is missing
 
-  /// How many times it gives to the run.
+  /// How many instants it contributes to the run.
   [[nodiscard]] std::int64_t instantCount() const {
     return static_cast<std::int64_t>(timeline.stamps.size());
   }
 
-  /// Whether a camera or lidar has this frame: the source of motion need not have it then.
+  /// Whether a camera or lidar has this frame, which the source of motion then need not provide.
   [[nodiscard]] bool isSensorFrame(const std::string& frame) const;
 };
 
-/// Reads the recording, the world and the cameras, and finds the times of all scenes. Writes
+/// Reads the recording, the world and the cameras, and determines the times of all scenes. Writes
 /// nothing.
 /// @param config  of the entry's settings
-/// @param inputs  that were read for other motions of the run, or an earlier one
-/// @param on_stage  called when a step begins that may take long
+/// @param inputs  already read for other motions of the run, or for an earlier run
+/// @param on_stage  called at the start of a step that may take long
 [[nodiscard]] MotionSetup setUpMotion(config::MotionEntry entry, config::Config config,
                                       InputCache& inputs, const base::OnStage& on_stage);
 

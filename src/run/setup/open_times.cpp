@@ -9,7 +9,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// The shortest time from one scene to the next, and what it is.
+/// The shortest time from one scene to the next, and its description.
 struct ScenePeriod {
   Duration time{0};
   std::string name;

@@ -4,9 +4,10 @@
 
 namespace synthetic_dataset::run {
 
-/// Notes pictures that are exposed, and sweeps that are measured, for longer than the shortest time
-/// from one scene to the next: physics goes forward alone.
-/// @param setup  with its scenes, as far as they could be found; gets what is wrong
+/// Reports pictures whose exposure, and lidar sweeps whose duration, is longer than the shortest
+/// time from one scene to the next: physics only moves forward.
+/// @param setup  with its scenes, as far as they could be determined; problems are added to its
+///     diagnostics
 void checkOpenTimes(MotionSetup& setup);
 
 }  // namespace synthetic_dataset::run

@@ -8,20 +8,20 @@
 
 namespace synthetic_dataset::run {
 
-/// The ROS packages of ROS_PACKAGE_PATH and AMENT_PREFIX_PATH, which are looked for when they are
-/// first asked for. Copies share what was found, and threads may share copies.
+/// The ROS packages of ROS_PACKAGE_PATH and AMENT_PREFIX_PATH, searched for on first use. Copies
+/// share the result and may be used in different threads.
 class RosPackageIndex {
  public:
   RosPackageIndex();
 
-  /// Finds the folders of packages, as ros::package::getPath does, which would print an error about
-  /// each that is not there, and look for every one anew.
+  /// Finds the folders of packages, as ros::package::getPath does, which however would print an
+  /// error for each missing one and repeat the search for every package.
   [[nodiscard]] world::ResourceFinder::PackageFinder finder() const;
 
-  /// Finds what packages export for Gazebo.
+  /// Finds the paths that packages export for Gazebo.
   [[nodiscard]] world::ResourceFinder::ExportFinder exports() const;
 
-  /// A line for each package that cannot be read; none as long as nobody has asked for packages.
+  /// A line for each package that cannot be read; empty until someone has asked for packages.
   [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
@@ -29,7 +29,7 @@ class RosPackageIndex {
   std::shared_ptr<Found> found_;
 };
 
-/// RosPackageIndex::finder of an index for this once.
+/// The finder of a temporary RosPackageIndex.
 [[nodiscard]] world::ResourceFinder::PackageFinder rosPackageFinder();
 
 }  // namespace synthetic_dataset::run

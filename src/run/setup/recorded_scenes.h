@@ -9,16 +9,17 @@
 
 namespace synthetic_dataset::run {
 
-/// The scenes for which each lidar of recorded clouds has one; how many others there were is noted.
+/// The scenes for which every lidar with recorded clouds has one; notes how many scenes are
+/// dropped.
 /// @param scenes  ascending
-/// @throws Error naming the setting where there is none
+/// @throws Error naming the setting if there is none
 [[nodiscard]] std::vector<Stamp> scenesWithClouds(const std::vector<lidar::LidarRig>& lidars,
                                                   std::vector<Stamp> scenes,
                                                   base::Diagnostics& diagnostics);
 
-/// Notes clouds that cannot be read, and sweeps that begin while the one of the scene before goes
-/// on, where physics moves something: it goes forward alone. Stamps are not exact, so an
-/// overlap of less than 5 ms is allowed: the world then stays as the scene before has left it.
+/// Notes clouds that cannot be read, and, if physics moves something, sweeps that begin during the
+/// previous scene's sweep: physics only moves forward. Stamps are not exact, so an overlap of less
+/// than 5 ms is allowed: the world then stays as the previous scene left it.
 /// @param scenes  ascending
 void checkClouds(const std::vector<lidar::LidarRig>& lidars, const std::vector<Stamp>& scenes,
                  const world::World& world, base::Diagnostics& diagnostics);

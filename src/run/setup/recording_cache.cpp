@@ -19,7 +19,7 @@ using motion::JointedRobot;
 
 constexpr std::size_t kMostKept = 3;
 
-/// All that decides what is read, but for the files and the robots.
+/// Everything that determines what is read, except the files and the robots.
 std::string textOf(const motion::BagMotionOptions& options) {
   const auto list = [](const std::vector<std::string>& texts) {
     return Value(Value::List(texts.begin(), texts.end()));
@@ -61,9 +61,9 @@ bool areSame(const std::vector<JointedRobot>& a, const std::vector<JointedRobot>
 }  // namespace
 
 struct RecordingCache::Kept {
-  std::string wanted;  ///< what was to be read
+  std::string wanted;  ///< what was requested
   FileStamps files;
-  std::optional<std::vector<JointedRobot>> robots;  ///< if they were asked for
+  std::optional<std::vector<JointedRobot>> robots;  ///< if requested
   std::shared_ptr<const motion::FrameSource> recording;
 };
 

@@ -12,7 +12,7 @@ struct BagMotionOptions;
 
 namespace synthetic_dataset::run {
 
-/// Recordings that were read, for the next run that reads the same of them.
+/// Keeps recordings for later runs that read the same from them.
 class RecordingCache {
  public:
   RecordingCache();
@@ -20,7 +20,7 @@ class RecordingCache {
   RecordingCache(const RecordingCache&) = delete;
   RecordingCache& operator=(const RecordingCache&) = delete;
 
-  /// A recording, read or kept.
+  /// Returns a recording, from the cache if it is unchanged.
   /// @throws ErrorList as BagMotion
   [[nodiscard]] std::shared_ptr<const motion::FrameSource> get(
       const motion::BagMotionOptions& options);
@@ -31,7 +31,7 @@ class RecordingCache {
   [[nodiscard]] static bool isOf(const Kept& kept, const std::string& wanted,
                                  const motion::BagMotionOptions& options);
 
-  std::vector<Kept> kept_;  ///< the one that was asked for last at the end
+  std::vector<Kept> kept_;  ///< most recently used last
 };
 
 }  // namespace synthetic_dataset::run

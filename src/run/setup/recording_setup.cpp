@@ -14,7 +14,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// The frames that have to be known: of objects, and of sensors that are where their frame is.
+/// The frames that have to be known: those of objects, and of sensors that follow their frame.
 std::vector<std::string> neededFrames(const config::Config& config) {
   std::vector<std::string> frames;
   std::set<std::string> objects;

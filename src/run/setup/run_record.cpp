@@ -18,7 +18,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Whether a setting, or a group that it is in, is among these.
+/// Whether a setting, or a group that contains it, is among `names`.
 bool isIn(const std::set<std::string>& names, const std::string& setting) {
   for (std::size_t end = 0; end != std::string::npos;) {
     end = setting.find('/', end + 1);
@@ -27,7 +27,7 @@ bool isIn(const std::set<std::string>& names, const std::string& setting) {
   return false;
 }
 
-/// The pictures that are drawn from.
+/// The pictures that randomization may draw.
 std::set<std::string> picturesOf(const randomize::Randomization& randomization) {
   std::vector<std::string> sources;
   for (const auto& [name, material] : randomization.materials) {
@@ -49,7 +49,7 @@ std::set<std::string> picturesOf(const randomize::Randomization& randomization) 
   return pictures;
 }
 
-/// What scenes are made of. What these include is described with them.
+/// The main files from which scenes are made; files included by these are described with them.
 std::set<std::string> sourcesOf(const std::vector<MotionSetup>& motions) {
   std::set<std::string> files;
   for (const MotionSetup& motion : motions) {
@@ -65,7 +65,7 @@ std::set<std::string> sourcesOf(const std::vector<MotionSetup>& motions) {
 std::map<std::string, output::RunDescription::Setting> usedSettings(
     const Value& parameters, const config::Config& config, const std::vector<std::string>& unused,
     const std::map<std::string, Value>& defaults) {
-  // None of these changes what is made.
+  // None of these changes the content of the dataset.
   std::set<std::string> left_out = {"output_folder", "if_exists",   "sync",           "shard",
                                     "processes",     "only_scenes", "rendering/reuse"};
   left_out.insert(unused.begin(), unused.end());
@@ -79,7 +79,7 @@ std::map<std::string, output::RunDescription::Setting> usedSettings(
   for (const auto& [name, value] : defaults) {
     if (!isIn(left_out, name)) settings.insert({name, {base::jsonText(value), true}});
   }
-  // Frames of recorded clouds, which verify and merge could not know otherwise.
+  // The frames of recorded clouds, which verify and merge would not know otherwise.
   for (const lidar::LidarOptions& lidar : config.lidars) {
     if (!lidar.recorded) continue;
     settings.insert(

@@ -28,7 +28,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Builds a run part by part; what fails is noted, and the parts that need it are passed over.
+/// Builds a run part by part; failures are noted, and parts that depend on them are skipped.
 class Builder {
  public:
   Builder(const Value& parameters, const std::vector<std::string>& plugin_xml_files,
@@ -45,7 +45,7 @@ class Builder {
     for (config::MotionEntry& entry : list_.entries) addMotion(entry);
     setup_.config = setup_.motions.front().config;
     diagnostics().add(base::Severity::kError, list_.errors);
-    checkAlike(setup_.motions, diagnostics());
+    checkMotionsCompatible(setup_.motions, diagnostics());
     const std::int64_t told_count = countInstants();
     planSplits();
     const std::size_t errors_before = roots_.front().errors().size();
@@ -58,7 +58,7 @@ class Builder {
     leaveOutSplitGaps();
     if (countInstants() < told_count) replan();
     checkOnlyScenes();
-    noteWhatMaySurprise(setup_);
+    noteSurprisingSettings(setup_);
     const std::vector<std::string> unused = unusedSettings(list_.entries, roots_);
     passOverFormats();
     throwErrors();
@@ -77,7 +77,7 @@ class Builder {
     setup_.motions.push_back(setUpMotion(entry, std::move(config), inputs_, on_stage_));
   }
 
-  /// In proportion to the motions' weights, if there are any.
+  /// Divides the scenes in proportion to the motions' weights, if there are any.
   void shareScenes() {
     if (!list_.is_weighted) return;
     std::vector<SharingMotion> sharing;
@@ -93,7 +93,7 @@ class Builder {
     }
   }
 
-  /// Numbers the times of all motions, and returns how many there are.
+  /// Numbers the times of all motions consecutively, and returns their count.
   std::int64_t countInstants() {
     std::int64_t count = 0;
     for (MotionSetup& motion : setup_.motions) {
@@ -126,14 +126,15 @@ class Builder {
     if (plan) setup_.splits = std::make_unique<SplitPlan>(*plan);
   }
 
-  /// The share of each time of a recording whose blocks are chosen; else nothing.
+  /// The share of each time if the recording's blocks are chosen; otherwise empty.
   [[nodiscard]] std::vector<std::uint8_t> chosenBlocks(const MotionSetup& motion) const {
     const config::SplitConfig& split = config().split;
     if (split.by != config::SplitBy::kBalancedBlocks || motion.entry.split) return {};
     return balancedBlocks(split, expectedLabels(motion));
   }
 
-  /// Between blocks of a recording. Of scenes that are drawn from one, the user is warned.
+  /// Leaves gaps between the blocks of a recording. If a recording's scenes are drawn one by one
+  /// instead, warns the user.
   void leaveOutSplitGaps() {
     const config::SplitConfig& split = config().split;
     const auto isDivided = [&](const MotionSetup& motion) {
@@ -177,7 +178,7 @@ class Builder {
     on_stage_("preparing the writers");
     DatasetInfo info = dataset();
     info.credits = output::creditInfos(credits());
-    // The manifest holds the models that a writer asks for.
+    // Keeps the models that writers ask for, as the manifest lists them.
     info.setModels([of_worlds = info, models = models_](std::size_t object) {
       const auto known = models->find(object);
       if (known != models->end()) return known->second;
@@ -189,7 +190,8 @@ class Builder {
     if (made) setup_.writers = std::move(*made);
   }
 
-  /// The frames that writers ask for: unknown ones are errors, scenes without them are left out.
+  /// Checks the frames that writers ask for: unknown ones are errors, and scenes without them are
+  /// left out.
   void checkFrames(MotionSetup& motion) {
     if (!setup_.writers || !motion.frames) return;
     for (const std::string& frame : setup_.writers->requirements().frames) {
@@ -204,7 +206,8 @@ class Builder {
     }
   }
 
-  /// The groups of formats that `writers` does not name now, as when it is set on the command line.
+  /// Ignores the groups of formats that `writers` does not currently name, for example because it
+  /// is set on the command line.
   void passOverFormats() {
     if (!setup_.writers) return;
     std::set<std::string> formats;
@@ -223,7 +226,7 @@ class Builder {
     }
   }
 
-  /// "PascalVoc" and "pascal_voc" alike.
+  /// Maps "PascalVoc" and "pascal_voc" to the same text.
   static std::string plainName(const std::string& name) {
     std::string plain;
     for (const char c : name) {
@@ -232,8 +235,8 @@ class Builder {
     return plain;
   }
 
-  /// Writers that were promised more scenes than there are, as only they know which frames they
-  /// need, are loaded anew.
+  /// Reloads the writers after scenes were left out: they were told of more scenes, since only they
+  /// know which frames they need.
   void replan() {
     if (!setup_.splits) return;  // reported already
     planSplits();
@@ -251,8 +254,9 @@ class Builder {
     }
     addErrors(mergedErrors(of_motions));
     addErrors(writer_errors_);
-    // Writers that could not be loaded have not read theirs: nothing can be said to be unknown.
-    if (setup_.writers && config::hasOldForm(parameters_)) {
+    // If writers could not be loaded, they have not read their parameters, so none can be called
+    // unknown.
+    if (setup_.writers && config::isNnDataCollectionFile(parameters_)) {
       for (const std::string& each : unknownParameters(list_.entries, roots_)) {
         diagnostics().warning("", each + "; it is passed over");
       }
@@ -268,7 +272,7 @@ class Builder {
     throw ErrorList(explainRelativePaths(all.messages(base::Severity::kError), parameters_));
   }
 
-  /// What the manifest has of the run, and the user at its start.
+  /// Describes the run for the manifest and for the user at its start.
   /// @param unused  settings that nobody reads
   void describe(const std::vector<std::string>& unused) {
     output::RunDescription& run = setup_.description;
@@ -300,7 +304,7 @@ class Builder {
     }
   }
 
-  /// What is cheap to find out about every run.
+  /// Runs the checks that are cheap enough for every run.
   void findOdd() {
     for (const MotionSetup& motion : setup_.motions) {
       std::vector<Finding> findings = joinAlike(checkSetup(motion));
@@ -329,10 +333,10 @@ class Builder {
   std::vector<std::vector<std::string>> setting_errors_;  ///< of the entries' settings
   std::vector<std::string> writer_errors_;                ///< of the writers' settings
   std::vector<std::vector<std::int64_t>> blocks_;         ///< of the motions; empty: by the shares
-  std::vector<std::vector<std::uint8_t>> chosen_;         ///< of the motions, where blocks are
-  std::optional<Credits> credits_;                        ///< found when they are first asked for
+  std::vector<std::vector<std::uint8_t>> chosen_;         ///< of the motions; empty: not chosen
+  std::optional<Credits> credits_;                        ///< determined on first use
 
-  /// By object, those that writers have asked for.
+  /// The models that writers have asked for, by object.
   std::shared_ptr<std::map<std::size_t, ObjectModel>> models_ =
       std::make_shared<std::map<std::size_t, ObjectModel>>();
 
@@ -389,7 +393,7 @@ RunSetup setUpRun(const Value& parameters, InputCache& inputs,
   } catch (const Error&) {
     if (inputs.worlds.isAsFresh()) throw;
   }
-  // Another set of models has been asked for: there are notes about those of before.
+  // A different set of models has been requested, so the cache still has notes about earlier ones.
   inputs.worlds.clear();
   return built(parameters, plugin_xml_files, inputs, on_stage);
 }

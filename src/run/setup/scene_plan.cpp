@@ -16,7 +16,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Without, that of each frame by itself.
+/// The longest gap that is interpolated; nothing: determined for each frame.
 std::optional<Duration> longestGap(const motion::MotionOptions& motion) {
   if (!motion.max_tf_gap) return std::nullopt;
   return std::isinf(*motion.max_tf_gap) ? Duration::max() : base::fromSeconds(*motion.max_tf_gap);
@@ -32,7 +32,8 @@ motion::TimelineOptions timelineOptions(const config::Config& config) {
   options.max_tf_gap = longestGap(motion);
   const auto& jitter = config.randomization.time_jitter;
   if (!jitter) return options;
-  // By the regular time, not by the scene's number: what another frame leaves out moves no scene.
+  // Depends on the regular time, not on the scene's number, so that omitted scenes do not shift
+  // others.
   options.jitter = [&jitter, seed = static_cast<std::uint64_t>(config.seed)](std::int64_t index) {
     randomize::EntryDraws draws(seed, index);
     return base::fromSeconds(*draws.number("time/jitter", jitter));
@@ -40,7 +41,7 @@ motion::TimelineOptions timelineOptions(const config::Config& config) {
   return options;
 }
 
-/// Takes scenes out and counts them.
+/// Removes unwanted scenes and counts them.
 template <class Unwanted>
 void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
   const motion::Timeline all = timeline;
@@ -55,12 +56,12 @@ void leaveOut(const Unwanted& unwanted, motion::Timeline& timeline) {
       static_cast<std::int64_t>(all.stamps.size() - timeline.stamps.size());
 }
 
-/// When something is exposed, or measured, around a scene's stamp.
+/// The period around a scene's stamp in which something is exposed or measured.
 using TimesAround = std::function<motion::TimeRange(Stamp scene)>;
 
-/// Scenes during whose exposure a frame is not known, as at the recording's ends, or, of an object
-/// that may be absent, comes or goes.
-/// @param sometimes  the frames of these
+/// Removes scenes during whose exposure a frame is unknown, for example at the recording's ends, or
+/// in which an object that may be absent appears or disappears.
+/// @param sometimes  the frames of objects that may be absent
 void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids,
                          const std::vector<motion::FrameId>& sometimes, const TimesAround& open,
                          const motion::FrameSource& frames, motion::Timeline& timeline) {
@@ -91,8 +92,8 @@ void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids,
   }
 }
 
-/// "`frame: base_link` in the group rover names it", for an object whose frame the recording has in
-/// another writing, mostly without a prefix.
+/// "`frame: base_link` in the group rover names it", for an object whose frame has a slightly
+/// different name in the recording, usually one without a prefix.
 std::string cureOf(const scene::ObjectOptions& object, const motion::FrameSource& frames) {
   std::string cures;
   for (const std::string& like : motion::framesLike(object.frame, frames.names().all())) {
@@ -103,7 +104,7 @@ std::string cureOf(const scene::ObjectOptions& object, const motion::FrameSource
          "; in the group " + object.name + ", " + cures + " names one as a whole";
 }
 
-/// An error about an object's frame, with the setting that names the frame.
+/// Adds to an error about an object's frame the setting that names the frame.
 std::string withSetting(const std::string& message,
                         const std::vector<scene::ObjectOptions>& objects) {
   for (const scene::ObjectOptions& object : objects) {
@@ -113,7 +114,7 @@ std::string withSetting(const std::string& message,
   return message;
 }
 
-/// @throws ErrorList as FrameSource::timeline, and what would mend it
+/// @throws ErrorList as FrameSource::timeline, with remedies
 motion::Timeline findTimeline(const std::vector<std::string>& names,
                               const motion::FrameSource& frames, const config::Config& config,
                               const motion::TimelineOptions& options) {
@@ -133,13 +134,13 @@ motion::Timeline findTimeline(const std::vector<std::string>& names,
   }
 }
 
-/// Whether scenes are made without this object where it is not known.
+/// Whether scenes are made without this object while its pose is unknown.
 bool maybeAbsent(const scene::ObjectOptions& object) {
   return object.when_unknown == scene::WhenUnknown::kAbsent && object.takes_part &&
          !object.is_distractor;
 }
 
-/// Whether a camera is put where it sees some object, and all of them may be absent.
+/// Whether a camera is placed so that it sees some object, while all objects may be absent.
 bool needsAnObject(const config::Config& config) {
   const auto looksAtAny = [](const scene::CameraOptions& camera) {
     return camera.sample && !camera.sample->look_at_point_G;
@@ -153,7 +154,7 @@ bool needsAnObject(const config::Config& config) {
 
 std::string secondsOf(Duration time) { return fixed(toSeconds(time), 1) + " s"; }
 
-/// Says of each object that may be absent in how many scenes it is, and why.
+/// Notes for each object that may be absent in how many scenes it is present, and why.
 void noteAbsences(const motion::FrameSource& frames, const config::Config& config,
                   motion::Timeline& timeline) {
   for (const scene::ObjectOptions& object : config.objects) {
@@ -178,14 +179,14 @@ void noteAbsences(const motion::FrameSource& frames, const config::Config& confi
   }
 }
 
-/// What a link of the TF tree costs, and whom.
+/// The time lost to a link of the TF tree, and who is affected.
 struct LostTime {
   Duration unknown{0};
   std::vector<std::string> whom;
   std::string cures;
 };
 
-/// Says which objects' and cameras' frames, and which link of TF, cost more than a tenth of the
+/// Warns of the objects' and cameras' frames, and the TF links, that cost more than a tenth of the
 /// recording.
 void warnOfLostTime(const config::Config& config, const std::vector<scene::CameraRig>& cameras,
                     motion::Timeline& timeline) {
@@ -277,10 +278,10 @@ motion::Timeline planScenes(const motion::FrameSource& frames, const config::Con
   return timeline;
 }
 
-void forgetInHoles(const config::Config& config, motion::PlacedFrames& frames) {
+void markAbsentInGaps(const config::Config& config, motion::PlacedFrames& frames) {
   for (const scene::ObjectOptions& object : config.objects) {
     const auto frame = frames.find(object.frame);
-    if (frame && maybeAbsent(object)) frames.forgetInHoles(*frame, longestGap(config.motion));
+    if (frame && maybeAbsent(object)) frames.markAbsentInGaps(*frame, longestGap(config.motion));
   }
 }
 

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Divides `total` by the weights, without a rest.
+/// Divides `total` in proportion to the shares, without a remainder.
 std::vector<std::int64_t> apportion(const std::vector<double>& shares, std::int64_t total) {
   std::vector<std::int64_t> counts;
   for (const double share : shares) {
@@ -38,14 +38,14 @@ bool isEnough(const std::vector<SharingMotion>& motions, const std::vector<std::
   return true;
 }
 
-/// The most scenes for which every motion has enough.
-std::vector<std::int64_t> mostOf(const std::vector<SharingMotion>& motions,
-                                 const std::vector<double>& shares) {
+/// The shares of the largest total for which every motion has enough scenes.
+std::vector<std::int64_t> maxKept(const std::vector<SharingMotion>& motions,
+                                  const std::vector<double>& shares) {
   double most = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < motions.size(); ++i) {
     most = std::min(most, static_cast<double>(motions[i].available) / shares[i]);
   }
-  // Rounding may hand a motion one more than its share.
+  // Rounding may give a motion one more than its share.
   constexpr double kRounding = 1e-9;
   auto total = static_cast<std::int64_t>(std::floor(most * (1.0 + kRounding)));
   while (total > 0 && !isEnough(motions, apportion(shares, total))) --total;
@@ -61,7 +61,7 @@ std::vector<std::int64_t> sharesOf(const std::vector<SharingMotion>& motions,
   std::vector<double> shares;
   for (const SharingMotion& motion : motions) shares.push_back(motion.weight / sum);
   const std::vector<std::int64_t> counts =
-      total ? apportion(shares, *total) : mostOf(motions, shares);
+      total ? apportion(shares, *total) : maxKept(motions, shares);
   std::vector<std::string> errors;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const SharingMotion& motion = motions[i];

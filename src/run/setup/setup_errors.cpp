@@ -18,7 +18,7 @@ std::string inGroup(const std::string& group, const std::string& message) {
   return group.empty() ? message : group + ": " + message;
 }
 
-/// The entries of the first list that all others have, too.
+/// The entries of the first list that are also in all others.
 std::vector<std::string> commonTo(const std::vector<std::vector<std::string>>& lists) {
   std::vector<std::string> common;
   for (const std::string& each : lists.front()) {
@@ -44,15 +44,15 @@ void collectPaths(const Value& value, std::set<std::string>& paths) {
   }
 }
 
-/// The name of the variable of a shell that a path has, "HOME" of "$HOME/x" and "${HOME}/x"; empty:
-/// it has none.
+/// The name of the shell variable in a path, "HOME" for "$HOME/x" and "${HOME}/x"; empty if there
+/// is none.
 std::string shellVariableIn(const std::string& path) {
   static const std::regex kVariable(R"(\$\{?([A-Za-z_][A-Za-z0-9_]*))");
   std::smatch found;
   return std::regex_search(path, found, kVariable) ? found[1].str() : "";
 }
 
-/// Whether settings have an entry: "randomize/room/size"; of a list, "motions/2".
+/// Whether settings have an entry such as "randomize/room/size" or, in a list, "motions/2".
 bool hasEntry(const Value& settings, const std::string& path) {
   const std::size_t end = path.find('/');
   const std::string name = path.substr(0, end);
@@ -142,7 +142,7 @@ std::vector<std::string> explainPreset(std::vector<std::string> messages, const 
                                        const Value& spelled) {
   for (std::string& message : messages) {
     const std::string path = message.substr(0, message.find(": "));
-    // What is wrong with all motions alike is reported without their group.
+    // Errors shared by all motions are reported without a group.
     const bool is_spelled = hasEntry(spelled, path) || hasEntry(spelled, "motions/0/" + path);
     if (is_spelled && !hasEntry(given, path)) {
       message += "; `" + path + "` comes from `randomize: {preset: transfer}`";

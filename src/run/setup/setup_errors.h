@@ -9,13 +9,13 @@
 
 namespace synthetic_dataset::run {
 
-/// What is wrong with one of a run's motions.
+/// Errors of one of a run's motions.
 struct MotionErrors {
-  std::string group;  ///< its parameters, for messages
+  std::string group;  ///< its parameter group, for messages
   std::vector<std::string> messages;
 };
 
-/// What is wrong with all motions alike is reported once; all else is reported with the motion's
+/// Merges messages: an error shared by all motions is reported once, any other with its motion's
 /// group.
 [[nodiscard]] std::vector<std::string> mergedErrors(const std::vector<MotionErrors>& motions);
 
@@ -23,21 +23,21 @@ struct MotionErrors {
 [[nodiscard]] std::vector<std::string> unusedSettings(
     const std::vector<config::MotionEntry>& entries, const std::vector<Parameters>& roots);
 
-/// One error for each parameter that nobody reads, of the run or of a motion's own. Ask when the
-/// writers have read theirs.
-/// @param roots  the motions' settings; the first one's were given to the writers
+/// One error for each parameter of the run or of a motion that nobody reads. Call after the writers
+/// have read theirs.
+/// @param roots  the motions' settings; the writers were given the first motion's
 [[nodiscard]] std::vector<std::string> unknownParameters(
     const std::vector<config::MotionEntry>& entries, const std::vector<Parameters>& roots);
 
-/// The messages about files that are not there, with what a relative path of the settings starts
-/// at, as that is seldom the settings file's folder.
+/// Adds to messages about missing files where relative paths in the settings start, as that is
+/// seldom the settings file's folder.
 /// @param settings  as the user gave them
 [[nodiscard]] std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
                                                             const Value& settings);
 
-/// The messages about entries that the preset has added and the user did not write say so.
-/// @param given  settings without the preset's
-/// @param spelled  with what `randomize: {preset: transfer}` stands for
+/// Adds a note to messages about entries that come from the preset rather than from the user.
+/// @param given  settings without those of the preset
+/// @param spelled  settings with `randomize: {preset: transfer}` expanded
 [[nodiscard]] std::vector<std::string> explainPreset(std::vector<std::string> messages,
                                                      const Value& given, const Value& spelled);
 

@@ -19,7 +19,7 @@ void noteEmptySplits(RunSetup& setup) {
   }
 }
 
-/// Users of nn_data_collection's settings may not know that there are exact masks.
+/// Notes that there are exact masks, as users of nn_data_collection's settings may not know.
 void noteSubtraction(RunSetup& setup) {
   const label::MaskOptions& masks = setup.config.masks;
   if (masks.method == label::MaskMethod::kExact || masks.method_is_given) return;
@@ -30,11 +30,11 @@ void noteSubtraction(RunSetup& setup) {
       "set; masks/method: exact gives exact ones");
 }
 
-/// What hides an object is found by those writers alone that ask for it.
+/// Notes that occlusion is not determined, since that is only done if a writer asks for it.
 void noteUnseen(RunSetup& setup) {
   const config::Config& config = setup.config;
   const Requirements& requirements = setup.writers->requirements();
-  if (requirements.silhouettes) return;  // a format of masks, which asks for pixels in its own way
+  if (requirements.silhouettes) return;  // a mask format, which handles pixels in its own way
   if (label::looksAtPixels(requirements, config.masks, config.labels)) return;
   setup.diagnostics.note(
       "",
@@ -42,7 +42,7 @@ void noteUnseen(RunSetup& setup) {
       "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
 }
 
-/// Noise of a picture that no format of this run has is a mistake.
+/// Noise on a picture that no format of this run writes is a mistake.
 void noteUnusedDepthNoise(RunSetup& setup) {
   if (setup.writers->requirements().depth) return;
   for (const scene::CameraOptions& camera : setup.config.cameras) {
@@ -52,7 +52,8 @@ void noteUnusedDepthNoise(RunSetup& setup) {
   }
 }
 
-/// What is placed stands still: only drops of rain and flakes move then.
+/// Warns of shutters without effect: placed scenes stand still, and only raindrops and snowflakes
+/// would move.
 void noteIdleShutters(RunSetup& setup) {
   const bool all_are_placed =
       std::all_of(setup.motions.begin(), setup.motions.end(),
@@ -68,7 +69,7 @@ void noteIdleShutters(RunSetup& setup) {
   }
 }
 
-/// A larger factor than this is never meant.
+/// A larger factor than this is never intended.
 constexpr double kStrange = 4.0;
 
 double diagonal(const Cuboid& box) { return box.size().norm(); }
@@ -82,7 +83,7 @@ std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 }  // namespace
 
-void noteWhatMaySurprise(RunSetup& setup) {
+void noteSurprisingSettings(RunSetup& setup) {
   if (setup.splits) noteEmptySplits(setup);
   noteIdleShutters(setup);
   if (!setup.writers) return;
@@ -112,7 +113,7 @@ void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
   for (const Eigen::Vector3d& point : object.keypoints_O) {
     farthest = std::max(farthest, distanceTo(box_O, point));
   }
-  constexpr double kOutside = 0.25;  // of the model's size; an antenna's tip may be left out of it
+  constexpr double kOutside = 0.25;  // of the model's size; an antenna's tip may be missing from it
   if (farthest > kOutside * model) {
     diagnostics.warning(object.name + "/keypoints",
                         "one is " + metres(farthest) + " away from the model, which reaches over " +
@@ -130,7 +131,7 @@ void noteStrangeLens(const scene::CameraOptions& camera, const CameraModel& mode
                             " % of the image; the rest is black (are the distortion's numbers "
                             "right?)");
   }
-  // Only what is cut out of a sensor's picture may have its principal point far from the middle.
+  // Only crops of a sensor's picture may have a principal point far from the centre.
   constexpr double kFar = 0.2;  // of the image's size
   const double across = model.intrinsics().cx + 0.5 - 0.5 * model.width();
   const double down = model.intrinsics().cy + 0.5 - 0.5 * model.height();

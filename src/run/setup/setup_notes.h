@@ -7,19 +7,18 @@
 
 namespace synthetic_dataset::run {
 
-/// Notes what of a run's settings has another effect than its user may think: splits without
-/// scenes, masks by background subtraction, hidden objects with labels, noise of depth that nobody
-/// writes.
+/// Notes settings whose effect may surprise the user: splits without scenes, masks by background
+/// subtraction, hidden objects with labels, noise on depth that is not written.
 /// @param setup  with its splits and writers, as far as they could be made
-void noteWhatMaySurprise(RunSetup& setup);
+void noteSurprisingSettings(RunSetup& setup);
 
-/// Warns of a bounding shape or keypoints that have little to do with the object's model, as
-/// numbers in millimetres have.
+/// Warns of a bounding shape or keypoints that do not fit the object's model, such as numbers in
+/// millimetres.
 /// @param box_O  around the model, in the object's frame
 void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
                 base::Diagnostics& diagnostics);
 
-/// Warns of intrinsics of another resolution, and of a lens that sees next to nothing.
+/// Warns of intrinsics for another resolution, and of a lens that sees next to nothing.
 void noteStrangeLens(const scene::CameraOptions& camera, const CameraModel& model,
                      base::Diagnostics& diagnostics);
 

@@ -14,9 +14,9 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Fisher and Yates; std::shuffle differs from library to library. The numbers are so much larger
-/// than the counts that the remainder is as good as uniform.
-/// @param drawn  how many numbers others have drawn before
+/// Fisher-Yates shuffle; std::shuffle differs between standard libraries. The random numbers are so
+/// much larger than the counts that their remainder is practically uniform.
+/// @param drawn  how many numbers earlier parts have drawn
 void shuffle(std::vector<std::uint8_t>& splits, std::uint64_t seed, std::uint64_t drawn) {
   for (std::size_t i = splits.size(); i > 1; --i) {
     const auto place = static_cast<std::int64_t>(drawn + i);
@@ -42,7 +42,7 @@ SplitPlan::SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
                      const std::vector<SplitPart>& parts) {
   nameSplits(config, parts);
   if (names_.empty()) return;
-  std::uint64_t drawn = 0;  // so far: each part's draws are others
+  std::uint64_t drawn = 0;  // so far, so that each part uses different draws
   for (const SplitPart& part : parts) {
     const auto count = static_cast<std::size_t>(part.instant_count);
     std::vector<std::uint8_t> splits =

@@ -15,26 +15,24 @@ namespace synthetic_dataset::run {
 [[nodiscard]] std::vector<std::int64_t> blockEnds(const config::SplitConfig& config,
                                                   std::int64_t instant_count);
 
-/// Some of a run's times, one after another, that are divided as a whole.
+/// Some consecutive times of a run that are divided together.
 struct SplitPart {
   std::int64_t instant_count = 0;
-  std::optional<std::string> split = std::nullopt;  ///< of all of them; nothing: as drawn
-  std::vector<std::int64_t> blocks =
-      {};  ///< the number in each share's block; empty: by the shares
-  std::vector<std::uint8_t> chosen = {};  ///< the share of each time; empty: in blocks
+  std::optional<std::string> split = std::nullopt;  ///< of all its times; nothing: as drawn
+  std::vector<std::int64_t> blocks = {};  ///< sizes of the shares' blocks; empty: by share
+  std::vector<std::uint8_t> chosen = {};  ///< each time's share; empty: blocks
 };
 
-/// Which split each of a run's times belongs to: a function of the settings, the seed and the
-/// numbers of times alone.
+/// The split to which each of a run's times belongs: depends only on the settings, the seed and the
+/// numbers of times.
 class SplitPlan {
  public:
-  /// @param parts  the run's times; blocks are taken from each part on its own
-  /// @throws Error where some parts have a split of their own, and nothing says which the others
-  ///     have
+  /// @param parts  the run's times; each part is divided into blocks separately
+  /// @throws Error if some parts have a split of their own and nothing specifies that of the others
   SplitPlan(const config::SplitConfig& config, std::uint64_t seed,
             const std::vector<SplitPart>& parts);
 
-  /// The name of a time's split; empty where there are none.
+  /// The name of a time's split; empty if there are no splits.
   [[nodiscard]] const std::string& at(std::int64_t instant) const;
 
   /// The splits with their numbers of scenes.
@@ -50,17 +48,17 @@ class SplitPlan {
                                                  const SplitPart& part) const;
 
   std::vector<std::string> names_;
-  std::vector<std::uint8_t> split_of_;  ///< of each time, a place in names_; empty without splits
+  std::vector<std::uint8_t> split_of_;  ///< of each time, an index into names_; empty: no splits
 };
 
-/// Leaves out the first times of each block that are nearer than the gap to the last time of the
-/// block before it, so that no scene has a neighbour in another split that looks like it.
-/// @return how many times each of the shares' blocks has now
+/// Leaves out those first times of each block that are closer than the gap to the last time of the
+/// block before it, so that no scene has a similar-looking neighbour in another split.
+/// @return how many times remain in each share's block
 [[nodiscard]] std::vector<std::int64_t> leaveOutGaps(const config::SplitConfig& config,
                                                      motion::Timeline& timeline);
 
-/// The same where blocks are chosen.
-/// @param chosen  the share of each time; those that are left out go from it, too
+/// The same for blocks that were chosen.
+/// @param chosen  the share of each time; entries of omitted times are removed
 void leaveOutGaps(const config::SplitConfig& config, motion::Timeline& timeline,
                   std::vector<std::uint8_t>& chosen);
 

@@ -29,7 +29,7 @@ const Value* entryIn(const Value::Map& settings, const std::string& group,
   return &map->at(name);
 }
 
-/// Multiplies every number below a value.
+/// Multiplies every number in a tree of values.
 void multiply(Value& value, double factor) {
   if (auto* map = value.as<Value::Map>()) {
     for (auto& [name, entry] : *map) multiply(entry, factor);
@@ -42,7 +42,7 @@ void multiply(Value& value, double factor) {
   }
 }
 
-/// From sizes of the largest object to metres.
+/// Converts lengths from multiples of the largest object's size to metres.
 void scaleLengths(Value& value, double size) {
   static const std::set<std::string> kLengths = {"volume", "size", "tile"};
   if (auto* list = value.as<Value::List>()) {
@@ -59,7 +59,7 @@ void scaleLengths(Value& value, double size) {
   }
 }
 
-/// A row has at least three objects, or all of fewer: no row.
+/// Sets the number of objects in a row, at least three; with fewer objects there is no row.
 void fillRows(Value::Map& settings, std::size_t objects) {
   constexpr std::size_t kFewest = 3;
   Value::List& motions = *settings.at("motions").as<Value::List>();
@@ -78,9 +78,9 @@ void fillRows(Value::Map& settings, std::size_t objects) {
       Value(Value::Map{{"choice", Value(counts)}});
 }
 
-/// Makes room for many objects.
+/// Enlarges the volumes for many objects.
 void widenPlacements(Value::Map& settings, std::size_t objects) {
-  constexpr double kFew = 10.0;  // have room in the preset's volumes
+  constexpr double kFew = 10.0;  // fit into the preset's volumes
   const double factor = std::sqrt(static_cast<double>(objects) / kFew);
   if (factor <= 1.0) return;
   for (Value& entry : *settings.at("motions").as<Value::List>()) {
@@ -102,8 +102,8 @@ const world::Model& modelOf(const scene::ObjectOptions& object, WorldFiles& file
   return *found;
 }
 
-/// The diagonal of the box around what is seen of the largest object [m], where some move: of
-/// those. What is wrong with models is said when they are loaded.
+/// The diagonal of the visible bounds of the largest object [m], considering only moving ones if
+/// there are any. Errors in models are reported when the run loads them.
 double largestSize(const config::Config& config, InputCache& inputs) {
   WorldFiles& files = inputs.worlds.filesFor(config.world);
   double largest = 0.0;
@@ -121,8 +121,8 @@ double largestSize(const config::Config& config, InputCache& inputs) {
   return largest > 0.0 ? largest : 1.0;
 }
 
-/// How many objects there are in a scene: none in one of five, and few more often than many, as
-/// things are met.
+/// The number of objects in a scene: none in one scene of five, and few more often than many, as in
+/// real scenes.
 Value countOf(std::size_t objects) {
   constexpr double kEmpty = 0.2;
   double sum = 0.0;
@@ -136,7 +136,7 @@ Value countOf(std::size_t objects) {
   return Value(Value::Map{{"choice", Value(counts)}, {"weights", Value(weights)}});
 }
 
-/// Whether the settings say themselves which objects are there.
+/// Whether the settings specify which objects are present.
 bool saysWhatIsPresent(const Value::Map& settings) {
   const Value* objects = entryIn(settings, "randomize", "objects");
   const auto* entries = objects == nullptr ? nullptr : objects->as<Value::Map>();
@@ -147,7 +147,7 @@ bool saysWhatIsPresent(const Value::Map& settings) {
   });
 }
 
-/// What the settings say themselves counts over what the preset's motions say.
+/// Lets the settings' own entries override those of the preset's motions.
 void overlayMotions(Value::Map& preset, const Value::Map& own) {
   for (Value& entry : *preset.at("motions").as<Value::List>()) {
     Value::Map& motion = *entry.as<Value::Map>();
@@ -159,7 +159,7 @@ void overlayMotions(Value::Map& preset, const Value::Map& own) {
   }
 }
 
-/// A camera that is put somewhere is not drawn.
+/// Whether the camera has a fixed place, which is then not randomized.
 bool hasPlace(const Value::Map& settings) {
   return has(settings, "cameras") || has(settings, "camera_frame_id") ||
          entryIn(settings, "camera", "pose") != nullptr ||
@@ -180,7 +180,7 @@ bool isPlaced(const Value::Map& settings) {
   return motion != settings.end() && motion->second == Value("placement");
 }
 
-/// Whether a camera has pictures of the recording; they show what was there.
+/// Whether a camera uses recorded pictures, which show the real surroundings.
 bool hasRecordedPictures(const Value::Map& settings) {
   if (entryIn(settings, "camera", "image_topic") != nullptr) return true;
   if (const Value::Map* cameras = groupIn(settings, "cameras")) {
@@ -197,7 +197,7 @@ bool hasRecordedPictures(const Value::Map& settings) {
          });
 }
 
-/// Why the settings keep their own surroundings; empty: they have none.
+/// Why the settings keep their own surroundings; empty if they have none.
 std::string ownSurroundings(const Value::Map& settings) {
   if (!isPlaced(settings)) return "a recording";
   if (has(settings, "motions")) return "motions of their own";

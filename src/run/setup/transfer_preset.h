@@ -8,17 +8,18 @@
 
 namespace synthetic_dataset::run {
 
-/// Settings with what `randomize: {preset: transfer}` stands for, all of it spelt out.
+/// Settings in which `randomize: {preset: transfer}` is fully expanded.
 struct ExpandedPreset {
   Value settings;
-  std::vector<std::string> notes;  ///< what of it was not applied, and why
+  std::vector<std::string> notes;  ///< which parts were not applied, and why
 };
 
-/// Spells the preset out: what networks learn from best that are to work on photographs, as
-/// benchmark/transfer measures it. Whatever the settings say themselves overrides it. Objects that
-/// are placed without a world, a placement or motions of the settings' own get surroundings, whose
-/// lengths follow from the largest object's size; all others keep their poses and cameras, and look
-/// different in each scene. Settings without a preset are answered as they are.
+/// Expands the preset: the settings from which networks that are to work on photographs learn best,
+/// as measured by benchmark/transfer. Explicit settings override it. If objects are placed rather
+/// than recorded, and the settings have no world, placement or motions of their own, the objects
+/// are given surroundings whose lengths are scaled to the largest object's size; otherwise poses
+/// and cameras are kept, and only looks vary from scene to scene. Settings without a preset are
+/// returned unchanged.
 [[nodiscard]] ExpandedPreset expandPreset(const Value& settings, InputCache& inputs);
 
 }  // namespace synthetic_dataset::run

@@ -20,9 +20,9 @@
 namespace synthetic_dataset::run {
 namespace {
 
-/// Loads a world or a model; where files are missing, says where they may lie and how to do without
-/// them.
-/// @param finder  that looks for them
+/// Loads a world or a model; if files are missing, the error says where they may be and how to do
+/// without them.
+/// @param finder  searches for the files
 template <class Load>
 auto explainingMissing(const std::string& world_file, const world::ResourceFinder& finder,
                        const Load& load) -> decltype(load()) {
@@ -39,7 +39,7 @@ auto explainingMissing(const std::string& world_file, const world::ResourceFinde
   }
 }
 
-/// Whether an opened file is one of the world's: ROS packages are gone through to find them.
+/// Whether an opened file belongs to the world, unlike those read while searching for ROS packages.
 bool isOfWorld(const std::filesystem::path& file) {
   std::error_code ignored;
   return file.filename() != "package.xml" && std::filesystem::is_regular_file(file, ignored);
@@ -55,21 +55,21 @@ WorldFiles::WorldFiles(const config::WorldConfig& config, const base::OnStage& o
 template <class Load>
 auto WorldFiles::read(const Key& key, const Load& load) -> decltype(load()) {
   const base::InputWatch watch;
-  const bool was_unsure = std::exchange(is_unsure_, true);  // where it throws
+  const bool was_uncacheable = std::exchange(is_uncacheable_, true);  // in case it throws
   auto content = explainingMissing(world_file_, finder_, load);
-  is_unsure_ = was_unsure;
+  is_uncacheable_ = was_uncacheable;
   read_.push_back(key);
   keepFiles(watch.files());
   return content;
 }
 
-/// Files that were found to be read, those that were not found, and all that these include.
+/// Keeps the stamps of all files that were found, not found, or included by others.
 void WorldFiles::keepFiles(const std::set<std::filesystem::path>& opened) {
   namespace fs = std::filesystem;
   for (const fs::path& file : finder_.missed()) stamps_.add(file);
   for (const fs::path& file : finder_.found()) {
     stamps_.add(file);
-    if (world::isTemplate(file)) is_unsure_ = true;  // it includes others
+    if (world::isTemplate(file)) is_uncacheable_ = true;  // it includes others
   }
   for (const fs::path& file : opened) {
     stamps_.add(file);
@@ -116,7 +116,7 @@ WorldFiles& WorldCache::filesFor(const config::WorldConfig& config) {
 }
 
 void WorldCache::beginUse() {
-  constexpr int kLongest = 20;  // so that one can go back and forth between two worlds
+  constexpr int kLongest = 20;  // so that a user can switch back and forth between two worlds
   for (auto each = worlds_.begin(); each != worlds_.end();) {
     const bool is_kept = each->second.files->areCurrent() && each->second.unused < kLongest;
     if (is_kept) {

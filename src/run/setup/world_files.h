@@ -22,11 +22,11 @@
 namespace synthetic_dataset::run {
 
 /// A world's file and those of the models in it, each read once: motions in the same world share
-/// what was read, meshes and pictures too.
+/// everything read, including meshes and pictures.
 class WorldFiles {
  public:
   /// @param config  of a motion
-  /// @param on_stage  called when a step begins that may take long
+  /// @param on_stage  called at the start of a step that may take long
   WorldFiles(const config::WorldConfig& config, const base::OnStage& on_stage);
   WorldFiles(const WorldFiles&) = delete;  // the loader refers to the finder
   WorldFiles& operator=(const WorldFiles&) = delete;
@@ -43,31 +43,31 @@ class WorldFiles {
   /// Variants of the models.
   [[nodiscard]] ModelVarieties& varieties() { return varieties_; }
 
-  /// Whether all files that were read so far are as they were, those that were not there are still
-  /// not there, and nothing was wrong with any.
-  [[nodiscard]] bool areCurrent() const { return !is_unsure_ && stamps_.areCurrent(); }
+  /// Whether all files read so far are unchanged, those that were missing are still missing, and
+  /// none had an error.
+  [[nodiscard]] bool areCurrent() const { return !is_uncacheable_ && stamps_.areCurrent(); }
 
-  /// Another run is going to ask, as if nothing had been read yet.
+  /// Begins another run, which will ask as if nothing had been read yet.
   void beginUse() { asked_.clear(); }
 
-  /// Whether what this run has asked for is all that was ever read, in its order: else notes,
-  /// cameras and files are those of others, too.
+  /// Whether this run has asked for exactly what was ever read, in the same order; otherwise notes,
+  /// cameras and files include those of other runs.
   [[nodiscard]] bool areAsFresh() const { return asked_ == read_; }
 
-  /// What was left out or replaced so far of the models.
+  /// Notes on what has been left out of or replaced in the models so far.
   [[nodiscard]] const std::vector<std::string>& modelNotes() const { return loader_.modelNotes(); }
 
-  /// The cameras of the models that were read so far.
+  /// The cameras of the models read so far.
   [[nodiscard]] const std::vector<world::CameraSensor>& modelCameras() const {
     return loader_.modelCameras();
   }
 
-  /// Their lidars.
+  /// The lidars of the models read so far.
   [[nodiscard]] const std::vector<world::LidarSensor>& modelLidars() const {
     return loader_.modelLidars();
   }
 
-  /// Files that were named so far and may not be: there is no dataset of such a world.
+  /// Files named so far that are not allowed: no dataset is made of such a world.
   [[nodiscard]] std::vector<std::string> refusals() const {
     return {finder_.refusals().begin(), finder_.refusals().end()};
   }
@@ -75,11 +75,10 @@ class WorldFiles {
   /// A line for each ROS package that cannot be read.
   [[nodiscard]] std::vector<std::string> packageNotes() const { return packages_.notes(); }
 
-  /// The files that were found so far by what names them: worlds, meshes, pictures.
+  /// The files found so far by URI or path: worlds, meshes, pictures.
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return finder_.found(); }
 
-  /// All others that were read so far: models' descriptions, meshes' material libraries and
-  /// buffers.
+  /// All other files read so far: models' descriptions, meshes' material libraries and buffers.
   [[nodiscard]] const std::set<std::filesystem::path>& included() const { return included_; }
 
  private:
@@ -97,45 +96,45 @@ class WorldFiles {
   std::optional<world::Description> world_;
   std::map<Key, world::Model> models_;
   ModelVarieties varieties_;
-  std::vector<Key> read_;   ///< the world, which is first or has no name, and the models
-  std::vector<Key> asked_;  ///< of these, in this use
+  std::vector<Key> read_;   ///< the world (first, or without a name) and the models
+  std::vector<Key> asked_;  ///< of these, by the current run
   std::set<std::filesystem::path> included_;
   FileStamps stamps_;
-  bool is_unsure_ = false;  ///< something failed, or was read of files that are not known
+  bool is_uncacheable_ = false;  ///< something failed, or was read from unknown files
 };
 
 /// The worlds of a run's motions.
 class WorldCache {
  public:
-  /// @param on_stage  called when a step begins that may take long
+  /// @param on_stage  called at the start of a step that may take long
   explicit WorldCache(base::OnStage on_stage) : on_stage_(std::move(on_stage)) {}
 
-  /// The files of a motion's world, the same for all motions that read them alike.
+  /// The files of a motion's world, shared by all motions that would read them identically.
   [[nodiscard]] WorldFiles& filesFor(const config::WorldConfig& config);
 
-  /// Another run is going to ask. What has changed since it was read is let go of, and what was not
-  /// asked for lately.
+  /// Begins another run: releases worlds that have changed since they were read and those not used
+  /// recently.
   void beginUse();
 
-  /// Whether this run has got what it would have got from a new cache.
+  /// Whether this run has received what it would have received from a new cache.
   [[nodiscard]] bool isAsFresh() const;
 
-  /// Whether no file has changed of what was asked for by the run that asked last.
+  /// Whether none of the files used by the most recent run has changed.
   [[nodiscard]] bool areCurrent() const;
 
   void clear() { worlds_.clear(); }
 
-  /// How many worlds were read so far.
+  /// How many worlds have been read so far.
   [[nodiscard]] std::int64_t readCount() const { return read_count_; }
 
  private:
   struct Kept {
     std::unique_ptr<WorldFiles> files;
-    int unused = 0;  ///< for how many runs nobody has asked for it
+    int unused = 0;  ///< number of runs since it was last used
   };
 
   base::OnStage on_stage_;
-  std::map<std::string, Kept> worlds_;  ///< by all that decides what is read
+  std::map<std::string, Kept> worlds_;  ///< by everything that determines what is read
   std::int64_t read_count_ = 0;
 };
 

@@ -39,7 +39,7 @@ bool has(const Names& names, const std::string& name) {
 Value listOf(const Names& names) { return Value{Value::List(names.begin(), names.end())}; }
 
 /// The models of each motion's world.
-/// @throws Error where one cannot be read
+/// @throws Error if one cannot be read
 std::vector<Names> modelsOfWorlds(const Value& settings, InputCache& inputs) {
   std::vector<Names> all;
   for (const config::MotionEntry& motion : config::readMotions(settings).entries) {
@@ -52,7 +52,7 @@ std::vector<Names> modelsOfWorlds(const Value& settings, InputCache& inputs) {
   return all;
 }
 
-/// What keeps a model's name from being that of an object; empty: nothing.
+/// Why a model's name cannot be that of an object; empty if it can.
 std::string whyNoName(const std::string& model, const Value::Map& settings) {
   if (model.find('/') != std::string::npos) return "which has a slash";
   const auto taken = settings.find(model);
@@ -109,7 +109,7 @@ class Speller {
       diagnostics_.error(name + "/models", "'" + model + "' is in " + before->second +
                                                ", too; each model should be in one");
     }
-    if (!is_new || has(objects_, model)) return;  // robot_list says more
+    if (!is_new || has(objects_, model)) return;  // robot_list takes precedence
     if (const std::string problem = whyNoName(model, settings_); !problem.empty()) {
       diagnostics_.error(name + "/models", "found the model '" + model + "', " + problem +
                                                "; no object can have this name, so that the "
@@ -126,7 +126,7 @@ class Speller {
     added_.insert(model);
   }
 
-  /// A world that does not have one of the models is one in which it takes no part.
+  /// Excludes each model from the motions whose world lacks it.
   void leaveOutOfOtherWorlds() {
     const auto motions = settings_.find("motions");
     auto* entries = motions == settings_.end() ? nullptr : motions->second.as<Value::List>();
@@ -144,7 +144,7 @@ class Speller {
   }
 
   Value::Map settings_;
-  std::vector<Names> models_;  ///< of each motion's world
+  std::vector<Names> models_;  ///< in each motion's world
   Names all_models_;
   Names objects_;
   std::set<std::string> added_;

@@ -6,16 +6,16 @@
 
 namespace synthetic_dataset::run {
 
-/// Settings in which each model that `world_objects` means is an object of `robot_list` with a
-/// group of its own, and what is to be said of it.
+/// Settings in which each model selected by `world_objects` is an object of `robot_list` with a
+/// group of its own, and messages about this.
 struct SpelledWorldObjects {
   Value settings;
   base::Diagnostics diagnostics;
 };
 
-/// Settings whose `world_objects` are wrong, or whose worlds cannot be read, stay as they are: what
-/// reads them next says so.
-/// @param inputs  whose worlds have the models
+/// Settings whose `world_objects` are wrong, or whose worlds cannot be read, are returned
+/// unchanged: whatever reads them next reports the error.
+/// @param inputs  its worlds have the models
 [[nodiscard]] SpelledWorldObjects spellOutWorldObjects(const Value& settings, InputCache& inputs);
 
 }  // namespace synthetic_dataset::run

@@ -27,7 +27,7 @@ std::string modelNames(const world::Description& description) {
   return names.empty() ? "none" : names;
 }
 
-/// Takes the model of this name out of the world.
+/// Removes the model of this name from the world and returns it.
 std::optional<world::Model> takeModel(world::Description& description, const std::string& name) {
   auto& models = description.models;
   const auto found = std::find_if(models.begin(), models.end(),
@@ -38,7 +38,7 @@ std::optional<world::Model> takeModel(world::Description& description, const std
   return model;
 }
 
-/// An object that does not take part.
+/// An empty model for an object that does not take part.
 world::MovingObject nothingCalled(const std::string& name) {
   world::Model model;
   model.name = name;
@@ -58,7 +58,7 @@ std::vector<world::Model> loadDistractors(const config::Config& config, WorldFil
   });
 }
 
-/// Loads the parts of a world one by one; what fails is noted.
+/// Loads the parts of a world one by one; failures are noted.
 class WorldBuilder {
  public:
   WorldBuilder(const config::Config& config, const std::vector<scene::ObjectVariants>& variants,
@@ -113,7 +113,8 @@ class WorldBuilder {
   }
 
  private:
-  /// What files lack or cannot have is a warning, but for lines, which nobody would have seen.
+  /// Adds warnings about what files lack or may not have; for lines, which nobody would have seen,
+  /// only a note.
   void addNotes(const std::vector<std::string>& notes) {
     for (const std::string& note : notes) {
       const bool is_trifle = note.find(world::kLinesNote) != std::string::npos;
@@ -175,7 +176,7 @@ class WorldBuilder {
     objects_.emplace_back(std::move(moving));
   }
 
-  /// Its model is one of the world's: where the world has it, or standing where it is told to.
+  /// Adds an object that stands in the world: where the world has it, or at the pose set for it.
   void addStanding(const scene::ObjectOptions& object, std::optional<world::Model> in_world,
                    world::Description& surroundings) {
     std::optional<world::Model> model = std::move(in_world);
@@ -202,7 +203,7 @@ class WorldBuilder {
     const auto load = [&]() -> const world::Model& {
       return files_.model(*variant.model, object.name, object.model_arguments);
     };
-    if (world::isModelText(*variant.model)) return load();  // its errors name the setting
+    if (world::isModelText(*variant.model)) return load();  // its errors already name the setting
     const bool is_own = variant.model == object.model;
     return base::namingPlace((is_own ? "" : "randomize/objects/") + object.name + "/model", load);
   }
@@ -248,7 +249,7 @@ class WorldBuilder {
     return {std::move(articulation.model), std::move(links)};
   }
 
-  /// One of the variants of a model; nothing: the model as it is.
+  /// One of the variants of a model; null: the unmodified model.
   const randomize::VariedModel* variantOf(const world::Model& own,
                                           const scene::ObjectVariant& variant,
                                           const scene::ObjectOptions& object) {
@@ -257,9 +258,9 @@ class WorldBuilder {
                                          static_cast<std::uint64_t>(config_.seed));
   }
 
-  /// How points that are given in the object's frame follow a variant's shape.
-  /// @param X_ML  of the first link, before the model was moved to the object's frame
-  /// @param moved  the model there, in its size
+  /// Records how points given in the object's frame follow a variant's shape.
+  /// @param X_ML  pose of the first link before the model was moved to the object's frame
+  /// @param moved  the model in the object's frame, scaled
   void noteChange(const randomize::VariedModel* varied, const Pose& X_ML, double scale,
                   const world::Model& moved) {
     scene::PointChange& change = setup_.changes_O.back().emplace_back();
@@ -278,10 +279,10 @@ class WorldBuilder {
   WorldFiles& files_;
   base::Diagnostics& diagnostics_;
   const base::OnStage& on_stage_;
-  std::string model_names_;  ///< of the world, objects included
+  std::string model_names_;  ///< of the world, including objects
   std::vector<world::MovingObject> objects_;
   bool lacks_objects_ = false;
-  /// Other objects with such a model, and its other sizes, would have the same errors.
+  /// Models with errors, so that other objects or sizes with the same model do not repeat them.
   std::set<std::pair<std::optional<std::string>, world::TemplateArguments>> broken_models_;
   world::Simulator simulator_ = world::Simulator::kClassic;
   WorldSetup setup_;

@@ -11,14 +11,15 @@ namespace synthetic_dataset::scene {
 
 /// One of the cameras of a calibration file.
 struct ListedCamera {
-  std::string name;  ///< in the file; empty where the file is that of one camera
-  Value::Map info;   ///< as cameraOf() reads it
-  std::optional<Pose> X_BC = std::nullopt;  ///< in a frame that it shares with others of the file
+  std::string name;  ///< in the file; empty if the file is of a single camera
+  Value::Map info;   ///< in the form that cameraOf() reads
+  std::optional<Pose> X_BC = std::nullopt;  ///< in a frame shared by cameras of the file
 };
 
-/// A file format for calibrations. A reader has its own file, and its row in `calibrationFormats`.
+/// A file format for calibrations. Each reader has a source file of its own, and is listed in
+/// calibration_file.cpp.
 struct CalibrationFormat {
-  /// Whether a file's text is of this format.
+  /// Whether a file's text is in this format.
   bool (*recognises)(const std::string& text);
 
   /// Its cameras; at least one.
@@ -39,7 +40,7 @@ extern const CalibrationFormat kKalibrFormat;
 /// camodocal's and VINS-Mono's YAML, with `model_type` and `projection_parameters`.
 extern const CalibrationFormat kCamodocalFormat;
 
-/// YAML with the names of ROS; recognises all that is left.
+/// YAML with ROS's names; recognises everything, so it has to come last.
 extern const CalibrationFormat kRosFormat;
 
 }  // namespace synthetic_dataset::scene

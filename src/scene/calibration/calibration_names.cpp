@@ -37,7 +37,7 @@ const std::map<std::string, std::string>& rosNames() {
 
 namespace {
 
-/// 1e-05 is a number to ROS's readers, and a text to YAML 1.1.
+/// 1e-05 is a number to ROS's readers, but a text in YAML 1.1.
 Value asNumber(const Value& entry) {
   const auto* text = entry.as<std::string>();
   const auto number = text != nullptr ? base::decimalNumber(*text) : std::nullopt;

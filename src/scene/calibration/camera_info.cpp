@@ -18,7 +18,7 @@ namespace {
 using Errors = std::vector<std::string>;
 using Warnings = std::vector<std::string>;
 
-/// A matrix with this many numbers.
+/// Reads a matrix with this many numbers.
 template <std::size_t kSize>
 std::optional<std::array<double, kSize>> readMatrix(Parameters& root, const std::string& name) {
   const auto numbers = root.maybe<std::vector<double>>(name);
@@ -33,7 +33,7 @@ std::optional<std::array<double, kSize>> readMatrix(Parameters& root, const std:
   return result;
 }
 
-/// A driver without a calibration sends zeros; one of rectified pictures may set P alone.
+/// A driver without a calibration sends zeros; one of rectified pictures may set only P.
 bool isUncalibrated(const std::array<double, 9>& K) { return K[0] == 0.0 && K[4] == 0.0; }
 
 CameraInfoNumbers readNumbers(Parameters& root, bool rectified) {
@@ -105,8 +105,9 @@ Eigen::Matrix3d rotationOf(const std::array<double, 9>& numbers, Errors& errors)
   return Eigen::Matrix3d::Identity();
 }
 
-/// http://docs.ros.org/en/noetic/api/sensor_msgs/html/msg/CameraInfo.html: what R turns into the
-/// rectified frame, P projects; its fourth column is the place of a stereo pair's second camera.
+/// http://docs.ros.org/en/noetic/api/sensor_msgs/html/msg/CameraInfo.html: R rotates points into
+/// the rectified frame, and P projects them; P's fourth column gives the position of a stereo
+/// pair's second camera.
 Pose rectifiedPose(const CameraInfoNumbers& numbers, Errors& errors) {
   const std::array<double, 12>& P = *numbers.P;
   if (P[11] != 0.0) {
@@ -125,14 +126,15 @@ Pose rectifiedPose(const CameraInfoNumbers& numbers, Errors& errors) {
   return X_CF.isApprox(Pose::Identity(), 0.0) ? Pose::Identity() : Pose(X_CF.inverse());
 }
 
-/// What is read out of one of the sensor's sides.
+/// The part of the sensor that is read out, along one of its sides.
 struct Readout {
   double offset = 0.0;   ///< [sensor px]
-  double binning = 1.0;  ///< [sensor px] for one of the image
+  double binning = 1.0;  ///< [sensor px] per image pixel
   int size = 0;          ///< [px] of the image
 
-  /// Pixel centres have whole coordinates: image pixel i covers the sensor's from offset - 0.5 +
-  /// i binning on, hence half a binned pixel on either side.
+  /// Converts a sensor coordinate to an image coordinate. Pixel centres have whole coordinates:
+  /// image pixel i covers the sensor from offset - 0.5 + i * binning on, hence the shifts by half a
+  /// pixel.
   [[nodiscard]] double place(double centre) const {
     return (centre + 0.5 - offset) / binning - 0.5;
   }

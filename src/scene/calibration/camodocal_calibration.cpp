@@ -9,8 +9,9 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// A lens of camodocal's: the names of its numbers in their groups, in the order of Distortion and
-/// of fx, fy, cx, cy (camera_models/src/camera_models/*.cc of https://github.com/hengli/camodocal).
+/// A lens model of camodocal: the names of its numbers in their groups, in the order of Distortion
+/// and of fx, fy, cx, cy (camera_models/src/camera_models/*.cc of
+/// https://github.com/hengli/camodocal).
 struct CamodocalModel {
   const char* name;
   const char* distortion_model;

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// https://github.com/ethz-asl/kalibr/wiki/supported-models: a model of Kalibr's, and what its
+/// https://github.com/ethz-asl/kalibr/wiki/supported-models: a camera model of Kalibr, and what its
 /// `intrinsics` are.
 struct KalibrModel {
   const char* name;
@@ -25,7 +25,7 @@ constexpr KalibrModel kKalibrModels[] = {
     {"ds", 2, "6 (xi, alpha, fu, fv, pu, pv)"},
 };
 
-/// What a camera of the camchain says of itself.
+/// The entries of a camera in the camchain.
 struct KalibrCamera {
   std::string camera_model;
   std::string distortion_model;
@@ -50,7 +50,7 @@ const KalibrModel& modelOf(const KalibrCamera& camera) {
               ", which is not drawn; camera_model should be pinhole, omni or ds");
 }
 
-/// The name and the coefficients of the lens, as makeDistortion() has them.
+/// The name and the coefficients of the lens, in the form used by makeDistortion().
 std::pair<std::string, std::vector<double>> lensOf(const KalibrCamera& camera,
                                                    const KalibrModel& model) {
   const auto own_end = camera.intrinsics.begin() + static_cast<std::ptrdiff_t>(model.own_count);
@@ -123,7 +123,7 @@ KalibrCamera readKalibrCamera(const Value::Map& map) {
   return camera;
 }
 
-/// X_AB of a list of four rows; nothing where there is none.
+/// X_AB from a list of four rows; nothing if the map has no such entry.
 std::optional<Pose> poseOf(const Value::Map& map, const std::string& name) {
   const auto found = map.find(name);
   if (found == map.end()) return std::nullopt;
@@ -145,7 +145,7 @@ bool isOfKalibr(const Value& value) {
          (map->count("camera_model") != 0 || map->count("distortion_coeffs") != 0);
 }
 
-/// Without reading it: `intrinsics` beside `camera_model`, at the beginning of lines.
+/// Without parsing it: `intrinsics` next to `camera_model`, where keys may begin.
 bool recognisesKalibr(const std::string& text) {
   const auto has = [&](const std::string& name) {
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -157,7 +157,7 @@ bool recognisesKalibr(const std::string& text) {
   return has("intrinsics:") && (has("camera_model:") || has("distortion_coeffs:"));
 }
 
-/// Each camera's extrinsics are against the one before it: p_n = T_cn_cnm1 p_(n - 1).
+/// Each camera's extrinsics are relative to the camera before it: p_n = T_cn_cnm1 p_(n - 1).
 std::vector<ListedCamera> readKalibrCalibration(const std::string& text, const std::string& file) {
   const Value root = base::parseYaml(text, file);
   const auto* map = root.as<Value::Map>();

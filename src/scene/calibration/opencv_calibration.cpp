@@ -15,11 +15,11 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// Names of OpenCV's samples and of what others write with FileStorage.
+/// Names used in OpenCV's samples and in other files written with FileStorage.
 const std::map<std::string, std::string>& openCvNames() {
   static const std::map<std::string, std::string> names = [] {
     std::map<std::string, std::string> all = rosNames();
-    all.erase("r");  // of a stereo pair: where one camera is, seen from the other
+    all.erase("r");  // in a stereo pair, one camera's pose relative to the other
     all.erase("p");
     for (const char* name :
          {"m", "cameramat", "intrinsicmatrix", "intrinsic", "intrinsics", "mtx"}) {
@@ -50,7 +50,7 @@ Value valueOf(const cv::FileNode& node, int depth = 0) {
   return map;
 }
 
-/// A number that stands alone, or in a matrix of one.
+/// A single number, or the only entry of a matrix.
 std::optional<double> numberOf(const Value& value) {
   const Value flat = flatMatrix(value);
   const auto* list = flat.as<Value::List>();
@@ -76,7 +76,7 @@ const Value* findPlain(const Value::Map& map, const std::string& plain) {
   return found == map.end() ? nullptr : &found->second;
 }
 
-/// cv::omnidir's calibration has xi beside K and D, and draws K's skew.
+/// A calibration of cv::omnidir has xi besides K and D, and uses K's skew.
 void addMirror(const Value::Map& storage, Value::Map& info) {
   const Value* xi = findPlain(storage, "xi");
   const auto number = xi == nullptr ? std::nullopt : numberOf(*xi);
@@ -108,7 +108,7 @@ void addSize(const Value::Map& storage, Value::Map& info) {
 Value::Map cameraInfoOf(const Value::Map& storage) {
   Value::Map info = withUsualNames(storage, openCvNames());
   addSize(storage, info);
-  // A camera that is called a pinhole may still have a lens that bends its picture.
+  // A camera that is called a pinhole may still have a lens with distortion.
   const Value* model = findPlain(storage, "cameramodel");
   const auto* name = model == nullptr ? nullptr : model->as<std::string>();
   if (name != nullptr && plainName(*name) != "pinhole") info.emplace("distortion_model", *name);
@@ -120,7 +120,8 @@ Value::Map cameraInfoOf(const Value::Map& storage) {
   return info;
 }
 
-/// The entries of one of several cameras: M1 and D1, cameraMatrix_left, ...; with those of all.
+/// The entries of one of several cameras (M1 and D1, cameraMatrix_left, ...), together with the
+/// shared ones.
 Value::Map entriesOf(const Value::Map& storage, const std::string& ending) {
   static const std::map<std::string, std::string> stereo = {{"r", "rectification_matrix"},
                                                             {"p", "projection_matrix"}};
@@ -170,7 +171,7 @@ bool recognisesOpenCv(const std::string& text) {
          beginsWith(text, "<opencv_storage") || text.find("!!opencv-matrix") != std::string::npos;
 }
 
-/// The text as FileStorage wants it: its mark at the very beginning.
+/// The text in the form that FileStorage expects: with its mark at the very beginning.
 std::string marked(const std::string& text) {
   if (beginsWith(text, "<opencv_storage")) return "<?xml version=\"1.0\"?>\n" + text;
   if (beginsWith(text, "%YAML") || beginsWith(text, "<?xml")) {
@@ -179,7 +180,8 @@ std::string marked(const std::string& text) {
   return "%YAML:1.0\n---\n" + text.substr(beginsWith(text, "---") ? text.find("---") + 3 : 0);
 }
 
-/// What FileStorage reads, in a sandbox: it crashes on texts that nest deep, and on others.
+/// Reads the text with FileStorage, in a sandbox: FileStorage crashes on deeply nested and on some
+/// other texts.
 Value storageOf(const std::string& text, const std::string& file) {
   const auto read = [&]() -> std::string {
     try {

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// A line without its comment (`#` or `;`) and the spaces around it.
+/// A line without its comment (`#` or `;`) and surrounding spaces.
 std::string contentOf(const std::string& line) {
   const std::string text = line.substr(0, line.find_first_of("#;"));
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -19,7 +19,7 @@ std::string contentOf(const std::string& line) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// `[image]` on the first line that says something.
+/// `[image]` or `[externals]` on the first line with content.
 bool recognisesOst(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -29,7 +29,7 @@ bool recognisesOst(const std::string& text) {
   return false;
 }
 
-/// Numbers of a line; nothing where it holds anything else.
+/// The numbers of a line; nothing if it contains anything else.
 std::optional<Value::List> numbersOf(const std::string& line) {
   Value::List numbers;
   std::istringstream words(line);
@@ -41,11 +41,11 @@ std::optional<Value::List> numbersOf(const std::string& line) {
   return numbers;
 }
 
-/// What follows a name, up to the next one, whatever the lines.
+/// The numbers that follow each name, up to the next name, over any number of lines.
 using Section = std::map<std::string, Value::List>;
 
-/// As camera_calibration_parsers reads it (parse_ini.cpp): sections, in which names stand above
-/// their numbers.
+/// Reads the format like camera_calibration_parsers (parse_ini.cpp): sections, in which names stand
+/// above their numbers.
 class OstReader {
  public:
   void readLine(const std::string& line, int number) {
@@ -84,7 +84,7 @@ class OstReader {
   }
 
  private:
-  /// A file of a stereo pair has each camera's sections, one after the other.
+  /// A stereo pair's file contains the sections of one camera after those of the other.
   void begin(const std::string& section) {
     name_.clear();
     const bool is_of_all = section == "image" || section == "externals";

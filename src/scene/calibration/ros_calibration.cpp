@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kDeepestGroup = 4;
 
-/// By any of its numbers; a group may be called `d` or `left/k` for other reasons.
+/// Whether a map describes a camera: it has any of a calibration's entries. Groups with one-letter
+/// names such as `d` do not count, as they may mean something else.
 bool isOfACamera(const Value::Map& map) {
   return std::any_of(map.begin(), map.end(), [](const Value::Map::value_type& entry) {
     const std::string name = plainName(entry.first);
@@ -19,8 +20,8 @@ bool isOfACamera(const Value::Map& map) {
   });
 }
 
-/// Groups of a map, and those within them, that describe a camera: files of parameters have them
-/// below others.
+/// Collects the groups of a map, and those nested in them, that describe a camera: parameter files
+/// have them inside other groups.
 void collect(const Value::Map& map, const std::string& name, int depth,
              std::vector<ListedCamera>& cameras) {
   if (isOfACamera(map)) {

@@ -26,13 +26,13 @@ constexpr const char* kDepthSetting = "twin/depth_topic: ";
 constexpr const char* kCloudSetting = "twin/cloud_topic: ";
 constexpr const char* kInfoSetting = "twin/depth_info_topic: ";
 
-/// When measurements were made, by the clock of TF, and in which frames.
+/// When measurements were made, in TF's clock, and in which frames.
 struct Measurements {
   std::vector<Stamp> times;  ///< ascending
   std::vector<std::string> frames;
-  Duration longest{0};  ///< largest distance from a scene
+  Duration longest{0};  ///< largest allowed distance from a scene
 
-  /// The one that is nearest to a time, whatever its distance; there is at least one.
+  /// The measurement nearest to a time, however far away; there is at least one.
   [[nodiscard]] std::size_t nearestTo(Stamp time) const {
     const auto after = std::lower_bound(times.begin(), times.end(), time);
     if (after == times.begin()) return 0;
@@ -62,7 +62,7 @@ Measurements measurementsOf(const std::vector<Head>& heads, Duration clock, Dura
   return all;
 }
 
-/// Each kind of problem once, with the first message that has it.
+/// Each kind of problem once, naming the first message that has it.
 template <class Head>
 std::vector<std::string> problemsOf(const std::vector<Head>& heads, const std::string& setting,
                                     const std::string& named) {
@@ -84,8 +84,7 @@ std::string sizeText(std::uint32_t width, std::uint32_t height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-/// "/camera/depth/camera_info" of "/camera/depth/image_raw/compressedDepth", as image_transport
-/// has it.
+/// "/camera/depth/camera_info" of "/camera/depth/image_raw/compressedDepth", as in image_transport.
 std::string infoTopicOf(std::string topic) {
   const std::string transport = "/compressedDepth";
   if (topic.size() > transport.size() &&
@@ -98,7 +97,7 @@ std::string infoTopicOf(std::string topic) {
 }  // namespace
 
 struct MeasuredSurfaces::Impl {
-  /// How one of the pictures' cameras goes with the depth camera.
+  /// The depth camera as used for one of the pictures' cameras.
   struct DepthView {
     std::shared_ptr<const DepthLens> lens;
     Pose X_FD = Pose::Identity();  ///< of the depth image in its header's frame
@@ -140,7 +139,8 @@ struct MeasuredSurfaces::Impl {
     checkFrames(cloud_times, kCloudSetting, named);
   }
 
-  /// With a calibration of its own, else as a picture's camera that it is.
+  /// Uses the depth camera's own calibration, or else that of the pictures' camera, if it is the
+  /// same camera.
   void findDepthViews(const RecordedImageOptions& twin, const std::vector<std::string>& bag_files) {
     const std::string topic = twin.depth_info_topic.value_or(infoTopicOf(*twin.depth_topic));
     std::optional<motion::RecordedCameraInfo> info;
@@ -185,7 +185,7 @@ struct MeasuredSurfaces::Impl {
     }
   }
 
-  /// Whether something is in the frame of a picture's camera, as far as names say.
+  /// Whether a frame is that of a picture's camera, judging by the names.
   [[nodiscard]] bool isFrameOf(std::size_t camera, const std::string& frame) const {
     return frame.empty() || frame == cameras[camera].frame || frame == picture_frames[camera];
   }
@@ -204,7 +204,7 @@ struct MeasuredSurfaces::Impl {
     }
   }
 
-  /// X_GF of what was measured in a frame; nothing where it is not known.
+  /// X_GF at the time of a measurement in a frame; nothing if it is not known.
   [[nodiscard]] std::optional<Pose> poseOf(const std::string& frame, Stamp measured,
                                            std::size_t camera, const world::World& world,
                                            Stamp time) const {
@@ -252,7 +252,7 @@ struct MeasuredSurfaces::Impl {
   }
 
   const motion::FrameSource& frames;
-  std::vector<std::string> picture_frames;  ///< of the cameras, as the headers have them
+  std::vector<std::string> picture_frames;  ///< of the cameras, from the headers
   std::optional<motion::RecordedDepths> depths;
   Measurements depth_times;
   std::vector<DepthView> views;  ///< of the cameras

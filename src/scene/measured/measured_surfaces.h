@@ -17,27 +17,28 @@
 
 namespace synthetic_dataset::scene {
 
-/// What was measured where a picture was taken, in any thread: see range_image.h. Empty where
-/// nothing was measured near its time.
+/// Returns the ranges that were measured for a picture (see range_image.h); empty if nothing was
+/// measured near its time. May be called in any thread.
 using PendingRanges = std::function<cv::Mat()>;
 
-/// What a depth camera and a scanner have recorded of the surfaces that pictures show.
+/// The surfaces shown in pictures, as recorded by a depth camera and a scanner.
 class MeasuredSurfaces {
  public:
   /// @param twin  with a depth_topic or a cloud_topic
   /// @param cameras  of the pictures
   /// @param frames  has to outlive this
-  /// @throws ErrorList naming the settings, when something cannot be read, or nobody knows where it
-  ///     was measured
+  /// @throws ErrorList naming the settings, if something cannot be read, or if it is unknown where
+  ///     it was measured
   MeasuredSurfaces(const RecordedImageOptions& twin, const std::vector<std::string>& bag_files,
                    const std::vector<CameraRig>& cameras, const CameraPictures& pictures,
                    const motion::FrameSource& frames);
   ~MeasuredSurfaces();
 
-  /// Counts the scenes of which nothing was measured; an error where that are all.
+  /// Warns of scenes for which nothing was measured; an error if that is all of them.
   void check(const std::vector<Stamp>& times, base::Diagnostics& diagnostics) const;
 
-  /// What was measured of what a camera sees at a time, at which the world stands.
+  /// What was measured of the surfaces that a camera sees at a time, which is that of the world's
+  /// current state.
   /// @param X_GC  of the picture's optical frame
   [[nodiscard]] PendingRanges seenBy(std::size_t camera, const world::World& world, Stamp time,
                                      const Pose& X_GC) const;

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::scene {
 namespace {
 
-/// How far something reaches around a place of the image [px].
+/// How far something reaches around a position in the image [px].
 struct Reach {
   double left = 0.0;
   double right = 0.0;
@@ -18,7 +18,7 @@ struct Reach {
   double down = 0.0;
 };
 
-/// Draws into all pixels whose centres are within the reach; what is nearer stays.
+/// Draws into all pixels whose centres are within the reach; nearer ranges stay.
 void draw(const Eigen::Vector2d& pixel, const Reach& reach, double range, cv::Mat_<float>& ranges) {
   const int left = std::max(0, static_cast<int>(std::ceil(pixel.x() - reach.left)));
   const int right =
@@ -40,7 +40,7 @@ bool isInside(const Eigen::Vector2d& pixel, const CameraModel& camera) {
          pixel.y() < camera.height() - 0.5;
 }
 
-/// A point of a cloud in the image.
+/// A point of a cloud, in the image.
 struct SeenPoint {
   Eigen::Vector2d pixel;
   double range = 0.0;
@@ -49,8 +49,8 @@ struct SeenPoint {
 constexpr std::size_t kSides = 4;
 constexpr int kNothing = 0;  // no neighbour
 
-/// How far the next point of the same surface is on each side of a point [px], within the quarter
-/// of the image that opens there: right, left, down, up.
+/// Distance to the next point of the same surface on each side of a point [px], within the quadrant
+/// that opens there: right, left, down, up.
 using Spacing = std::array<int, kSides>;
 
 class PointNeighbours {
@@ -63,7 +63,7 @@ class PointNeighbours {
       if (there == 0.0F || range < there) there = range;
     }
     cv::integral(ranges_ > 0.0F, sums_, CV_32S);
-    constexpr int kFarthest = 8;  // of the image's longer side
+    constexpr int kFarthest = 8;  // fraction of the image's longer side: 1/8
     farthest_ = std::max(size.width, size.height) / kFarthest;
   }
 
@@ -84,7 +84,7 @@ class PointNeighbours {
   }
 
  private:
-  /// The pixels that are `k` away on a side.
+  /// The pixels at distance `k` on a side.
   static cv::Rect strip(const cv::Point& at, std::size_t side, int k) {
     const bool is_across = side < 2;
     const int step = side % 2 == 0 ? k : -k;
@@ -93,10 +93,10 @@ class PointNeighbours {
                      : cv::Rect(at.x - k, at.y + step, length, 1);
   }
 
-  /// Whether there is one of about this range: what another place sees behind a surface shows
-  /// between the surface's own points.
+  /// Whether the strip has a point at about this range: points behind a surface, seen from
+  /// elsewhere, show between the surface's own points.
   [[nodiscard]] bool hasPoint(const cv::Rect& strip, double range) const {
-    constexpr double kStep = 0.15;  // from one point of a surface to the next, of the range
+    constexpr double kStep = 0.15;  // between points of a surface, as a fraction of the range
     const cv::Rect r = strip & cv::Rect({0, 0}, ranges_.size());
     if (r.empty()) return false;
     if (sums_(r.br()) - sums_(r.y, r.br().x) - sums_(r.br().y, r.x) + sums_(r.tl()) == 0) {
@@ -113,7 +113,7 @@ class PointNeighbours {
   int farthest_ = 0;  ///< [px]
 };
 
-/// The median of what is known on two opposite sides [px]; 0 where nothing is.
+/// The median of the known spacings on two opposite sides [px]; 0 if there are none.
 double usualSpacing(const std::vector<Spacing>& all, std::size_t first_side) {
   std::vector<int> known;
   for (const Spacing& each : all) {
@@ -128,10 +128,10 @@ double usualSpacing(const std::vector<Spacing>& all, std::size_t first_side) {
 }
 
 double reachOn(int spacing, double usual) {
-  constexpr double kWidest = 1.5;    // of the usual spacing
+  constexpr double kWidest = 1.5;    // times the usual spacing
   constexpr double kRounding = 0.5;  // of a spacing in whole pixels [px]
   const double known = spacing == kNothing ? usual : std::min<double>(spacing, kWidest * usual);
-  constexpr double kPixel = 1.0;  // that a point has at least [px]
+  constexpr double kPixel = 1.0;  // least size of a point [px]
   return 0.5 * std::max(kPixel, known + kRounding);
 }
 
@@ -151,7 +151,7 @@ DepthLens::DepthLens(const CameraModel& camera) : camera_(camera) {
 
 cv::Mat rangesOfDepth(const cv::Mat& depth, const DepthLens& lens, const Pose& X_CD,
                       const CameraModel& camera) {
-  constexpr double kClosing = 1.1;  // neighbours overlap a little, so that slopes have no holes
+  constexpr double kClosing = 1.1;  // neighbours overlap slightly, so that slopes have no holes
   const double focal = std::max(camera.intrinsics().fx, camera.intrinsics().fy) /
                        std::min(lens.camera().intrinsics().fx, lens.camera().intrinsics().fy);
   cv::Mat_<float> ranges(camera.height(), camera.width(), 0.0F);

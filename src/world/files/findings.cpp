@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kSearch = "looked in ";
 
-/// Models that a message names of those that want a file, too.
+/// The number of further models that one message names at most.
 constexpr std::size_t kMostModels = 5;
 
 bool isListed(const std::vector<std::string>& list, const std::string& text) {
@@ -20,7 +20,7 @@ void addOnce(std::vector<std::string>& list, const std::string& message) {
   if (!isListed(list, message)) list.push_back(message);
 }
 
-/// "model 'shelf'" of a message about what is in it; nothing of others.
+/// The "model 'shelf'" part of a message about something in a model; empty for other messages.
 std::string modelOf(const std::string& message) {
   const std::string kind = "model '";
   const std::size_t begin = message.find(": " + kind);
@@ -41,7 +41,7 @@ void Findings::addNote(const SourceLocation& location, const std::string& remark
 
 void Findings::addMissing(const SourceLocation& location, const std::string& thing) {
   if (base::isAboutPipe(thing))
-    return addError(location.prefix() + thing);  // it is there, and wrong
+    return addError(location.prefix() + thing);  // the file exists, but is of the wrong kind
   const bool is_error = on_missing_asset == OnMissingAsset::kError;
   add(location.prefix(), thing, "wanted ", is_error ? "" : " (left out)", missing_,
       is_error ? errors : notes);
@@ -49,12 +49,12 @@ void Findings::addMissing(const SourceLocation& location, const std::string& thi
 
 void Findings::addMissing(const std::string& thing) { addMissing(SourceLocation(), thing); }
 
-/// Where it was looked for is said once of all files that were looked for there.
+/// Shortens a list of searched folders that was given before for another file.
 std::string Findings::shortened(const std::string& thing) {
   const std::size_t begin = thing.find(kSearch);
   if (begin == std::string::npos) return thing;
   const std::string search = thing.substr(begin);
-  const bool is_long = search.find(", ") != std::string::npos;  // one place says itself
+  const bool is_long = search.find(", ") != std::string::npos;  // a single place may be repeated
   if (is_long && isListed(searches_, search)) {
     return thing.substr(0, begin) + "looked in the same folders as above";
   }

@@ -12,11 +12,10 @@
 
 namespace synthetic_dataset::world {
 
-/// Where in which file something stands, for messages: "world.sdf: line 12: model
-/// 'shelf': link 'body'".
+/// Where something is in a file, for messages: "world.sdf: line 12: model 'shelf': link 'body'".
 class SourceLocation {
  public:
-  SourceLocation() = default;  ///< of what is in no file
+  SourceLocation() = default;  ///< of something that is in no file
   explicit SourceLocation(std::string file) : file_(std::move(file)) {}
 
   /// The location of an element below this one.
@@ -26,7 +25,7 @@ class SourceLocation {
     return inner;
   }
 
-  /// The location of an element of which there is but one: "scene: fog: ".
+  /// The location of an element of which there is only one: "scene: fog: ".
   [[nodiscard]] SourceLocation in(const std::string& kind) const {
     SourceLocation inner = *this;
     inner.path_ += kind + ": ";
@@ -41,7 +40,7 @@ class SourceLocation {
     return other;
   }
 
-  /// The same location with the line that a message names; 0 for none.
+  /// The same location with a line number for messages; 0 for none.
   [[nodiscard]] SourceLocation atLine(int line) const {
     SourceLocation other = *this;
     other.line_ = line;
@@ -75,7 +74,7 @@ class MissingAssets : public ErrorList {
   std::size_t count_;
 };
 
-/// What was found while files were read, each thing once, in the order in which it was found.
+/// The errors and notes that came up while files were read, each once, in order of appearance.
 struct Findings {
   std::vector<std::string> errors;
   std::vector<std::string> notes;  ///< what was left out or replaced
@@ -84,13 +83,14 @@ struct Findings {
   void addError(const std::string& message);
   void addNote(const std::string& message);
 
-  /// The same remark on several places is listed once, with the first of them and how often it
-  /// holds.
+  /// Adds a remark. If it applies to several places, it is listed once, with the first place and
+  /// how often it applies.
   void addNote(const SourceLocation& location, const std::string& remark);
 
-  /// Something that cannot be had: an error, or a note that it is left out. What is missing in
-  /// several places ("mesh 'x.dae': no such file; looked in ...") is listed once, with how often it
-  /// is wanted, and where it was looked for is not repeated for the next file.
+  /// Adds something that is missing or unreadable: an error, or a note that it is left out.
+  /// Something that is missing in several places ("mesh 'x.dae': no such file; looked in ...") is
+  /// listed once, with how often it is wanted, and the list of searched folders is not repeated for
+  /// the next file.
   void addMissing(const SourceLocation& location, const std::string& thing);
   void addMissing(const std::string& thing);
 
@@ -98,12 +98,12 @@ struct Findings {
   void throwErrors() const;
 
  private:
-  /// A remark, and the places for which it holds.
+  /// A remark and the places to which it applies.
   struct Remark {
     std::string message;    ///< with the place where it was found first
     std::size_t index = 0;  ///< in the list
     std::set<std::string> locations;
-    std::vector<std::string> models;  ///< for which it holds, too: "model 'b'"
+    std::vector<std::string> models;  ///< further models to which it applies: "model 'b'"
   };
 
   using Remarks = std::map<std::string, Remark>;
@@ -114,7 +114,7 @@ struct Findings {
 
   Remarks missing_;
   Remarks noted_;
-  std::vector<std::string> searches_;  ///< "looked in ...", as they were listed
+  std::vector<std::string> searches_;  ///< the "looked in ..." texts that were listed
 };
 
 }  // namespace synthetic_dataset::world

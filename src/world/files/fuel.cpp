@@ -32,7 +32,8 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-/// The server moved once, and its caches and URIs have both names; the web page has a third.
+/// The names by which caches may know a server: it has moved once, and caches and URIs use both
+/// names; its web page has a third.
 std::vector<std::string> namesOf(const std::string& server) {
   std::vector<std::string> names;
   if (server != "app.gazebosim.org" && server != "app.ignitionrobotics.org") {
@@ -90,7 +91,7 @@ std::optional<FuelUri> parseFuelUri(const std::string& uri) {
   result.server = lowerCase(parts.front());
   const bool web_page = *(kind - 1) == "fuel" && kind - parts.begin() > 2;
   result.owner = *(kind - (web_page ? 2 : 1));
-  if (result.owner == "1.0") return std::nullopt;  // the interface's version
+  if (result.owner == "1.0") return std::nullopt;  // the version of the API
   result.kind = *kind;
   auto next = kind + 1;
   result.name = *next++;

@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::world {
 
-/// What a URI of Gazebo's model server means:
+/// The parts of a URI of Gazebo's model server:
 /// `https://<server>/[1.0/]<owner>/[fuel/]models/<name>[/<version>][/files/<path>]`.
 struct FuelUri {
   std::string server;
@@ -25,13 +25,13 @@ struct FuelUri {
 /// and IGN_FUEL_CACHE_PATH, then ~/.gz/fuel and ~/.ignition/fuel.
 [[nodiscard]] std::vector<std::filesystem::path> fuelCaches();
 
-/// Where the caches would have it, the first to be tried first:
-/// `<cache>/<server>/<owner>/models/<name>/<version>/<path>`, owner and name in lower case. Without
-/// a version, the highest that is there.
+/// The paths at which the caches would hold it, in the order in which to try them:
+/// `<cache>/<server>/<owner>/models/<name>/<version>/<path>`, with owner and name in lower case.
+/// Without a version, the highest one that is there.
 [[nodiscard]] std::vector<std::filesystem::path> fuelPlaces(
     const FuelUri& uri, const std::vector<std::filesystem::path>& caches);
 
-/// "%20" as a space and the like (RFC 3986, section 2.1).
+/// Decodes percent escapes, such as "%20" for a space (RFC 3986, section 2.1).
 [[nodiscard]] std::string percentDecoded(const std::string& text);
 
 }  // namespace synthetic_dataset::world

@@ -20,8 +20,8 @@ bool isModelFolder(const fs::path& folder) {
   return fs::exists(folder / "model.config") || fs::exists(folder / "manifest.xml");
 }
 
-/// Depth first and sorted; what lies in a model's folder belongs to that model. Links are followed,
-/// but each folder is looked into once: they may lead in circles.
+/// Searches depth first and in sorted order; everything in a model's folder belongs to that model.
+/// Symbolic links are followed, but each folder is visited only once, as links may form cycles.
 class ModelSearch {
  public:
   void look(const fs::path& folder) {

@@ -20,10 +20,11 @@ namespace fs = std::filesystem;
 constexpr const char* kModelVariables[] = {"GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH",
                                            "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH"};
 
-/// Below a resource folder, as in Gazebo's SystemPaths (gazebo/common/SystemPaths.cc).
+/// Subfolders of a resource folder to search, as in Gazebo's SystemPaths
+/// (gazebo/common/SystemPaths.cc).
 constexpr const char* kMediaSuffixes[] = {"", "models", "media/models", "Media/models"};
 
-/// A URI in its two parts; a plain path has no scheme.
+/// The two parts of a URI; a plain path has no scheme.
 struct Uri {
   std::string scheme;
   std::string rest;
@@ -38,13 +39,13 @@ Uri parse(const std::string& text) {
   return {text.substr(0, end), rest};
 }
 
-/// Absolute, and without `.`, `..` or a slash at the end, so that messages read well.
+/// The path made absolute, without `.`, `..` or a trailing slash, so that messages read well.
 fs::path tidy(const fs::path& path) {
   fs::path result = fs::absolute(path).lexically_normal();
   return result.has_filename() ? result : result.parent_path();
 }
 
-/// A model's name as folders have it: "Ground Plane" is "ground_plane".
+/// A model's name as used for folders: "Ground Plane" is "ground_plane".
 std::string folderName(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
     return c == ' ' ? '_' : static_cast<char>(std::tolower(c));
@@ -52,15 +53,15 @@ std::string folderName(std::string name) {
   return name;
 }
 
-/// "name/rest" as the name and "/rest".
+/// Splits "name/rest" into the name and "/rest".
 std::pair<std::string, std::string> splitName(const std::string& text) {
   const std::size_t end = text.find('/');
   if (end == std::string::npos) return {text, ""};
   return {text.substr(0, end), text.substr(end)};
 }
 
-/// The model that `folder` is part of, if that has the name: files of a model in Fuel's cache,
-/// whose folder is called by its version, name their meshes `model://name/...`.
+/// The model that contains `folder`, if it has the wanted name: files of a model in Fuel's cache,
+/// whose folder is named after its version, refer to their meshes as `model://name/...`.
 std::optional<fs::path> ownModel(const std::string& wanted, const fs::path& folder) {
   const std::string name = folderName(wanted);
   for (fs::path model = folder; model.has_relative_path(); model = model.parent_path()) {
@@ -73,8 +74,8 @@ std::optional<fs::path> ownModel(const std::string& wanted, const fs::path& fold
   return std::nullopt;
 }
 
-/// The package of a name that `folder` is in, or that lies beside that one: of a workspace that
-/// nobody has sourced.
+/// The package of the given name that contains `folder`, or that is next to the one that does: its
+/// workspace may not have been sourced.
 std::optional<fs::path> ownPackage(const std::string& name, const fs::path& folder) {
   if (name.empty() || name == "..") return std::nullopt;
   for (fs::path own = folder; own.has_relative_path(); own = own.parent_path()) {
@@ -110,11 +111,11 @@ bool isWithin(const fs::path& path, const fs::path& folder) {
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-/// Paths that a URI may mean, the first to be tried first.
+/// Paths to which a URI may refer, in the order in which they are tried.
 struct ResourceFinder::Candidates {
   std::vector<fs::path> paths;
   std::vector<std::string> shown;  ///< where they are, for messages: each folder once
-  bool lead_out = false;           ///< one would, and was left out
+  bool lead_out = false;           ///< one path would, and was left out
 
   void add(const fs::path& path, const fs::path& place) {
     paths.push_back(tidy(path));
@@ -122,13 +123,13 @@ struct ResourceFinder::Candidates {
     if (std::find(shown.begin(), shown.end(), text) == shown.end()) shown.push_back(text);
   }
 
-  /// A path below a folder that is searched.
+  /// Adds a path below a folder that is searched.
   void addBelow(const fs::path& folder, const std::string& rest) {
     const fs::path path = folder / fs::path(rest).relative_path();
     if (isWithin(path, folder)) add(path, folder);
   }
 
-  /// A path in a folder that has a name of its own; it may name the folder's neighbours.
+  /// Adds a path in the folder of a package or model; it may lead to the folder's neighbours.
   void addIn(const fs::path& named_folder, const std::string& rest) {
     const fs::path path(named_folder.string() + rest);
     lead_out = lead_out || !isWithin(path, tidy(named_folder).parent_path());
@@ -233,10 +234,10 @@ std::vector<std::string> ResourceFinder::mediaFolders() const {
 }
 
 std::optional<fs::path> ResourceFinder::at(const fs::path& path) const {
-  std::error_code ignored;  // of what is not there
+  std::error_code ignored;  // set if nothing is there
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_regular_file(status)) found_.insert(path);
-  // A pipe or a device is named where it would be opened (base/input_file.h).
+  // A pipe or a device is reported where it would be opened (base/input_file.h).
   if (fs::exists(status)) return path;
   missed_.insert(path);
   return std::nullopt;
@@ -292,7 +293,7 @@ std::string ResourceFinder::searchedPlaces(const std::string& uri, const fs::pat
     return "it leads out of the folders that it may name, and nothing outside of them is read";
   }
   std::vector<std::string> places;
-  std::set<std::string> exported;  // nobody who reads this has chosen them: how many is enough
+  std::set<std::string> exported;  // not chosen by the reader: their number is enough
   for (const std::string& spelling : spellings(uri)) {
     for (const std::string& place : candidates(spelling, folder).shown) {
       if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);

@@ -16,11 +16,11 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr int kNotThere = 127;  ///< how programs end that are not there
+constexpr int kNotThere = 127;  ///< exit code if there is no such program
 
-/// xacro's own program, which its Python module has as a function. What ROS 2 calls
-/// `$(find-pkg-share package)` is `$(find package)` to it. Its newest version, which PyPI has, asks
-/// ROS 2's index for packages; where that is not there, those of ROS_PACKAGE_PATH are meant.
+/// The program xacro, which its Python module has as a function. ROS 2's `$(find-pkg-share
+/// package)` is translated to xacro's `$(find package)`. The newest version, from PyPI, asks ROS
+/// 2's index for packages; if there is no such index, ROS_PACKAGE_PATH is searched.
 constexpr const char* kXacro = R"py(
 import os
 import sys
@@ -66,7 +66,7 @@ if evaluate is not None:
 xacro.main()
 )py";
 
-/// Variables that no argument gives are empty, as Jinja has it.
+/// Variables for which there is no argument are empty, as is Jinja's default.
 constexpr const char* kJinja = R"py(
 import os
 import sys
@@ -86,7 +86,7 @@ except Exception as error:
     sys.exit('%s: %s' % (type(error).__name__, error))
 )py";
 
-/// Robots take a second or two.
+/// The time limit; robots take a second or two.
 constexpr std::chrono::seconds kLongest{60};
 
 std::vector<std::string> commandLine(const std::filesystem::path& file,
@@ -96,7 +96,7 @@ std::vector<std::string> commandLine(const std::filesystem::path& file,
   return words;
 }
 
-/// What a user can type. @param words  of the command
+/// A command as a user can type it. @param words  of the command
 std::string shown(std::string text, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     const bool plain = word.find_first_of(" \t'\"\\$`&|;<>()*?") == std::string::npos;
@@ -105,7 +105,7 @@ std::string shown(std::string text, const std::vector<std::string>& words) {
   return text;
 }
 
-/// The last lines of what a program complains of: the first ones are where in Python it was.
+/// The last lines of a program's error output: the first ones are Python's traceback.
 std::string lastLines(const std::string& text) {
   constexpr std::size_t kMost = 600;
   const std::string whole = trimmed(text);
@@ -114,7 +114,7 @@ std::string lastLines(const std::string& text) {
   return "... " + whole.substr(cut == std::string::npos ? whole.size() - kMost : cut + 1);
 }
 
-/// The folder of the package that a file is in; empty for one that is in none.
+/// The folder of the package that a file is in; empty if it is in none.
 std::filesystem::path packageAround(const std::filesystem::path& file) {
   std::error_code ignored;
   for (std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
@@ -125,11 +125,11 @@ std::filesystem::path packageAround(const std::filesystem::path& file) {
 }
 
 /// @param name  for messages
-/// @return nothing where there is no such program
+/// @return nothing if there is no such program
 std::optional<std::string> run(const std::string& name, std::vector<std::string> command,
                                const std::vector<std::string>& words) {
   command.insert(command.end(), words.begin(), words.end());
-  // So that packages of ROS 2 are found, and that of the file with those beside it.
+  // Lets xacro find the packages of ROS 2, and the file's own package with its neighbours.
   std::string packages = base::rosPackagePath();
   const std::filesystem::path own = packageAround(words.front());
   if (!own.empty()) packages += (packages.empty() ? "" : ":") + own.parent_path().string();

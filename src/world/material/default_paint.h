@@ -4,8 +4,8 @@
 
 namespace synthetic_dataset::world {
 
-/// Gives all surfaces of a model that have no material that of the simulator: white in Gazebo
-/// Classic (OGRE's "BaseWhite"), grey in gz-sim, as it is in gz-sim's SceneManager.
+/// Gives all surfaces of a model that lack a material the default one of the simulator: white in
+/// Gazebo Classic (OGRE's "BaseWhite"), grey in gz-sim (as in its SceneManager).
 void paintDefaults(Simulator simulator, Model& model);
 
 }  // namespace synthetic_dataset::world

@@ -19,7 +19,7 @@ enum class Finish {
   kTwoSided,  ///< `cull_hardware none`
 };
 
-/// A material's numbers; `picture` is a file of Gazebo's media/materials/textures.
+/// The properties of a material; `picture` is a file in Gazebo's media/materials/textures.
 struct Row {
   const char* name;  ///< without "Gazebo/"
   std::array<float, 4> diffuse;
@@ -38,8 +38,8 @@ constexpr std::array<float, 3> kWeak{0.1F, 0.1F, 0.1F};
 constexpr std::array<float, 3> kPolished{0.2F, 0.2F, 0.2F};
 
 /// gazebo.material of Gazebo Classic 11 (media/materials/scripts), without the materials that are
-/// shaders of its sensors. What a script leaves out is OGRE's: diffuse white, specular none. The
-/// transparent ones take the alpha of their `alpha_op_ex`.
+/// shaders of its sensors. What a script omits has OGRE's default: white diffuse, no specular.
+/// Transparent materials have the alpha of their `alpha_op_ex`.
 const Row kRows[] = {
     {"Grey", {0.7F, 0.7F, 0.7F, 1}, kFaint, 1.5F},
     {"DarkGrey", {0.175F, 0.175F, 0.175F, 1}, {0.175F, 0.175F, 0.175F}, 1.5F},
@@ -155,7 +155,7 @@ const Row* find(const std::string& name) {
   return found == std::end(kRows) ? nullptr : found;
 }
 
-/// A stand-in serves as well where Gazebo's own picture cannot be read.
+/// A stand-in is also used if Gazebo's own picture cannot be read.
 std::shared_ptr<const Texture> pictureOf(const Row& row, TextureLoader& textures) {
   TextureReference reference;
   reference.uri = std::string("file://media/materials/textures/") + row.picture;

@@ -9,12 +9,12 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Smooth noise from 0 to 1 over the unit square, that repeats at its edges. A function of the
-/// seed and the place alone.
+/// Smooth noise from 0 to 1 over the unit square, which repeats at its edges. It depends only on
+/// the seed and the position.
 class PeriodicNoise {
  public:
-  /// @param cells_u, cells_v  of the coarsest lattice; each octave has twice as many, half as
-  /// strong
+  /// @param cells_u, cells_v  number of cells of the coarsest lattice; each octave has twice as
+  ///     many, at half the amplitude
   PeriodicNoise(std::uint32_t seed, int cells_u, int cells_v, int octaves)
       : seed_(seed), cells_u_(cells_u), cells_v_(cells_v), octaves_(octaves) {}
 
@@ -29,9 +29,9 @@ class PeriodicNoise {
     return sum / weights;
   }
 
-  /// A number from 0 to 1 for a place of a grid.
+  /// A pseudo-random number from 0 to 1 for a point of a grid.
   [[nodiscard]] static float value(std::uint32_t seed, int column, int row) {
-    // The finaliser of MurmurHash3 (A. Appleby), over the numbers one after the other.
+    // The finaliser of MurmurHash3 (A. Appleby), applied to one number after another.
     std::uint32_t hash = mixed(seed + 0x9E3779B9U);
     hash = mixed(hash ^ static_cast<std::uint32_t>(column));
     hash = mixed(hash ^ static_cast<std::uint32_t>(row) ^ 0x85EBCA6BU);
@@ -45,7 +45,7 @@ class PeriodicNoise {
     return h ^ (h >> 16U);
   }
 
-  /// Lattice values, joined by cubic steps.
+  /// Lattice values, interpolated by cubic smoothsteps.
   [[nodiscard]] float layer(int octave, float u, float v) const {
     const int columns = cells_u_ << octave;
     const int rows = cells_v_ << octave;
@@ -86,7 +86,7 @@ Colour blend(const Colour& a, const Colour& b, float share) {
           a.blue + (b.blue - a.blue) * share};
 }
 
-/// The colour at a place of the unit square; v grows downwards.
+/// The colour at a point of the unit square; v grows downwards.
 using Painter = std::function<Colour(float u, float v)>;
 
 cv::Mat paint(const Painter& painter) {
@@ -104,7 +104,7 @@ cv::Mat paint(const Painter& painter) {
   return picture;
 }
 
-/// The part of `x` above its last whole number.
+/// The fractional part of `x`.
 float fraction(float x) { return x - std::floor(x); }
 
 /// 1 within `width` of the cell's edges, 0 beyond a soft border.
@@ -113,7 +113,7 @@ float nearEdge(float along, float width) {
   return std::clamp((width - distance) / (0.4F * width) + 1.0F, 0.0F, 1.0F);
 }
 
-/// The grain of wood along u: rings that wander, and fibres.
+/// Wood grain along u: wandering rings, and fibres.
 float woodGrain(float u, float v) {
   static const PeriodicNoise kWander(11, 2, 6, 3);
   static const PeriodicNoise kFibre(12, 8, 128, 2);
@@ -171,14 +171,14 @@ Colour asphalt(float u, float v) {
   return Colour{104, 104, 106} * (0.74F + 0.26F * kWorn(u, v) + 0.28F * kStones(u, v));
 }
 
-/// Asphalt whose lanes run along v, with lines painted at places across.
+/// Asphalt with lanes along v and painted lines between them.
 Painter road(int lanes, bool edges) {
   return [=](float u, float v) {
     constexpr float kHalfLine = 0.008F;
     float line = 0.0F;
     for (int lane = 1; lane < lanes; ++lane) {
       const float at = static_cast<float>(lane) / static_cast<float>(lanes);
-      const bool dash = lane * 2 == lanes || fraction(2.0F * v) < 0.5F;  // the middle is whole
+      const bool dash = lane * 2 == lanes || fraction(2.0F * v) < 0.5F;  // the middle line is solid
       if (dash && std::abs(u - at) < kHalfLine) line = 1.0F;
     }
     if (edges && std::abs(std::min(u, 1.0F - u) - 0.03F) < kHalfLine) line = 1.0F;

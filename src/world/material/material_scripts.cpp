@@ -27,7 +27,7 @@ void addOnce(std::vector<fs::path>& paths, const fs::path& path) {
   if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
 }
 
-/// In the order of their names: that of a folder's entries is any.
+/// Sorted by name, as a folder's entries come in any order.
 std::vector<fs::path> scriptsIn(const fs::path& folder) {
   std::vector<fs::path> scripts;
   std::error_code error;
@@ -41,7 +41,8 @@ std::vector<fs::path> scriptsIn(const fs::path& folder) {
   return scripts;
 }
 
-/// The references' URIs are as the script has them; where to look for them is known here.
+/// Completes a reference, whose URI is as in the script, with the folders in which to look for the
+/// picture.
 void place(std::optional<TextureReference>& reference, const fs::path& script,
            const std::vector<fs::path>& folders) {
   if (!reference) return;
@@ -90,8 +91,8 @@ const OgreScript& MaterialScripts::read(const fs::path& file) {
   return std::get<OgreScript>(found->second);
 }
 
-/// A script's own sections, then those that it imports. What cannot be found to import is missed
-/// when something inherits from it.
+/// Collects a script's own sections, then those that it imports. An import that cannot be found
+/// only matters when something inherits from it.
 void MaterialScripts::gatherFrom(const fs::path& file, const Paths& folders, Paths& seen,
                                  std::vector<Entry>& entries) {
   if (std::find(seen.begin(), seen.end(), file) != seen.end()) return;
@@ -153,7 +154,7 @@ std::optional<OgreMaterial> MaterialScripts::findInMedia(const ScriptRequest& re
           const ScriptRequest in_script{request.name, {script.string()}, request.folder};
           if (auto found = find(in_script)) return found;
         } catch (const Error&) {
-          continue;  // one that cannot be read, and that nobody has named
+          continue;  // a script that cannot be read, but that nobody has named
         }
       }
     }

@@ -20,7 +20,7 @@ Picture load(const std::optional<TextureReference>& reference, TextureLoader& te
   }
 }
 
-/// The colours' picture and the opacity's in one. An opacity picture alone has white for colours.
+/// Combines the colour and opacity pictures. An opacity picture alone has white as its colour.
 Picture loadColours(const MaterialSource& source, TextureLoader& textures,
                     const MissingPicture& missing) {
   Picture colours = load(source.texture, textures, missing);

@@ -12,8 +12,8 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// A real material has dozens of sections and properties, and few that it inherits from. More is
-/// taken for materials that multiply one another.
+/// Real materials have dozens of sections and properties, and few ancestors. Anything beyond these
+/// limits is taken for materials that multiply one another.
 constexpr std::size_t kLargest = 10000;
 constexpr std::size_t kDeepest = 100;
 
@@ -23,8 +23,8 @@ std::string nameOf(const OgreObject& object) {
   return "line " + std::to_string(object.line) + ": " + object.kind + " '" + object.name + "' ";
 }
 
-/// The section of the base that a child's section changes: of its name, else of its index among
-/// those of its kind; null where it is a new one.
+/// The section of the base that a child's section changes: the one with its name or, if it has
+/// none, with its index among those of its kind; null if it is a new one.
 OgreObject* counterpart(OgreObject& base, const OgreObject& child, std::size_t index) {
   std::size_t count = 0;
   for (OgreObject& candidate : base.objects) {

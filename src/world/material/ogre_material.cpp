@@ -38,7 +38,8 @@ const OgreObject* techniqueOf(const OgreObject& material) {
   return techniques.empty() ? nullptr : techniques.front();
 }
 
-/// Lines over a surface, and what is blended with it, do not say what it looks like.
+/// The last pass that determines what the surface looks like: wireframes, and passes that are
+/// blended with what is behind them, do not.
 const OgreObject& basePassOf(const std::vector<const OgreObject*>& passes) {
   for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
     if (blendingOf(**pass) == Blending::kNothing && wordOf(**pass, "polygon_mode") != "wireframe") {
@@ -94,7 +95,7 @@ bool isForAnotherUse(const OgreObject& unit, const std::string& use) {
       use, {"spec", "gloss", "light", "shadow", "env", "cube", "reflect", "noise", "ambient"});
 }
 
-/// What is given to a pass' fragment programs by name: `param_named bumpMap int 0`.
+/// The named parameters of a pass's fragment programs: `param_named bumpMap int 0`.
 std::vector<const OgreProperty*> programParameters(const OgreObject& pass) {
   std::vector<const OgreProperty*> parameters;
   for (const OgreObject* program : sectionsOf(pass, "fragment_program_ref")) {
@@ -107,7 +108,8 @@ std::vector<const OgreProperty*> programParameters(const OgreObject& pass) {
   return parameters;
 }
 
-/// Whether a unit's picture multiplies what is there, as pictures do that say nothing else.
+/// Whether a unit's picture multiplies the colour so far, which is the default, without a transform
+/// of its own.
 bool modulates(const OgreObject& unit) {
   const std::string operation = wordOf(unit, "colour_op");
   const bool same_place = propertyOf(unit, "scale") == nullptr &&
@@ -130,7 +132,7 @@ class Reader {
   }
 
   OgreMaterial read() {
-    material().specular.setZero();  // OGRE's, as white for diffuse and ambient
+    material().specular.setZero();  // OGRE's default, as is white for diffuse and ambient
     if (passes_.empty()) return std::move(result_);
     base_ = &basePassOf(passes_);
     readColours();
@@ -157,7 +159,7 @@ class Reader {
 
   Material& material() { return result_.source.material; }
 
-  /// The base pass' property, else another's.
+  /// The property of the base pass, else of another pass.
   const OgreProperty* find(const std::string& name) const {
     if (const OgreProperty* property = propertyOf(*base_, name)) return property;
     for (const OgreObject* pass : passes_) {
@@ -166,7 +168,7 @@ class Reader {
     return nullptr;
   }
 
-  /// @return nothing where the vertices' colours take its place, or no pass has it
+  /// @return nothing if the vertex colours replace it, or if no pass has it
   std::optional<std::vector<float>> colour(const std::string& name) const {
     const OgreProperty* const property = find(name);
     if (property == nullptr) return std::nullopt;
@@ -189,14 +191,14 @@ class Reader {
     if (const auto emissive = colour("emissive")) {
       material().emissive = Eigen::Vector3f(emissive->data());
     }
-    // Three of colour, one of alpha where there are five, and the exponent.
+    // Three components of colour, alpha if there are five numbers, and the exponent.
     if (const auto specular = colour("specular")) {
       material().specular = Eigen::Vector3f(specular->data());
       if (specular->size() > 3) setShininess(specular->back());
     }
     material().lit = wordOf(*base_, "lighting") != "off";
     if (material().lit) return;
-    material().diffuse.head<3>().setOnes();  // OGRE gives unlit surfaces their picture alone
+    material().diffuse.head<3>().setOnes();  // OGRE shows only the picture of an unlit surface
     material().emissive.setZero();
     alpha_ = 1.0F;
   }
@@ -208,7 +210,7 @@ class Reader {
 
   void readSides() { material().double_sided = wordOf(*base_, "cull_hardware") == "none"; }
 
-  /// The base pass' units, else those of the first pass that has a picture.
+  /// The base pass's units, else those of the first pass that has a picture.
   std::vector<const OgreObject*> units() const {
     std::vector<const OgreObject*> passes{base_};
     passes.insert(passes.end(), passes_.begin(), passes_.end());
@@ -222,7 +224,7 @@ class Reader {
     return sectionsOf(*base_, "texture_unit");
   }
 
-  /// A unit's names, that of the sampler that reads it included.
+  /// A unit's names, including that of the sampler that reads it.
   std::string useOf(const OgreObject& unit, std::size_t index) const {
     std::string use = unitName(unit);
     for (const OgreProperty* parameter : programParameters(*base_)) {
@@ -265,7 +267,8 @@ class Reader {
     readPlacement(*diffuse);
   }
 
-  /// The colour that a shader program is given: of water, the one that it has where it is deep.
+  /// Reads the colour that is passed to a shader program; for water, this is the colour of deep
+  /// water.
   void readProgramColour() {
     if (find("diffuse") != nullptr) return;
     for (const OgreProperty* parameter : programParameters(*base_)) {
@@ -279,7 +282,7 @@ class Reader {
     }
   }
 
-  /// It is unknown what a shader program does with a second picture.
+  /// Shader programs get no factor: it is unknown what they do with a second picture.
   void setFactor(const OgreObject& diffuse, const OgreObject& unit) {
     const bool same_coordinates =
         wordOf(diffuse, "tex_coord_set") == wordOf(unit, "tex_coord_set") && modulates(diffuse);
@@ -298,7 +301,7 @@ class Reader {
     result_.source.normal_map->content = PictureContent::kNormalsOrHeights;
   }
 
-  /// `colour_op_ex source1 src_manual src_current 1 0 0` is a colour of the unit's own.
+  /// `colour_op_ex source1 src_manual src_current 1 0 0` gives the unit a colour of its own.
   void readConstants(const OgreObject& unit) {
     if (wordOf(unit, "alpha_op_ex") == "source1" &&
         wordOf(unit, "alpha_op_ex", 1) == "src_manual") {
@@ -315,7 +318,7 @@ class Reader {
     diffuse = replaces ? colour : Eigen::Vector3f(diffuse.cwiseProduct(colour));
   }
 
-  /// OGRE scales about the picture's middle, larger numbers making it larger, then scrolls
+  /// OGRE scales about the picture's centre, larger numbers making it larger, then scrolls
   /// (TextureUnitState::recalcTextureMatrix of OGRE 1.x).
   void readPlacement(const OgreObject& unit) {
     Eigen::Vector2f size(1.0F, 1.0F);

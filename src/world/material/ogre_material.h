@@ -9,18 +9,18 @@
 namespace synthetic_dataset::world {
 
 struct OgreMaterial {
-  MaterialSource source;           ///< its pictures' references have a URI only
-  std::vector<std::string> notes;  ///< what is drawn otherwise than OGRE draws it
+  MaterialSource source;           ///< its picture references have only a URI
+  std::vector<std::string> notes;  ///< what is drawn differently from OGRE
 };
 
-/// The material that an OGRE 1.x script describes: that of the first technique without a scheme.
-/// The last of several passes that covers what is behind it counts; what it leaves open the others
-/// say. Passes after it that are blended with it by alpha, and have a picture, are its overlays.
-/// The first of several pictures that is neither a reflection nor named for another use is the
-/// diffuse one; another after it that modulates it is its factor. Shader programs are not run: the
-/// names of their samplers say what pictures are for, and without a picture a colour that is given
-/// to them is the diffuse one.
-/// @param material  with all that it inherits, its variables replaced
+/// Reads the material that an OGRE 1.x script describes, from the first technique without a scheme.
+/// Of several passes, the last one that covers what is behind it is used; properties that it does
+/// not set come from the other passes. Later passes that are alpha-blended over it, and have a
+/// picture, become its overlays. The first picture that is neither a reflection nor named for
+/// another use is the diffuse one; a later one that modulates it becomes its factor. Shader
+/// programs are not run: the names of their samplers tell what the pictures are for, and without a
+/// picture, a colour that is passed to them becomes the diffuse colour.
+/// @param material  with everything that it inherits, and its variables replaced
 /// @throws Error "line 7: diffuse: found 'x'; ..."
 [[nodiscard]] OgreMaterial readOgreMaterial(const OgreObject& material);
 

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// As OGRE's, of "0.5", ".5", "1." and "0.5f".
+/// Parses a number as OGRE does: "0.5", ".5", "1." and "0.5f".
 std::optional<float> parseNumber(const std::string& text) {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());

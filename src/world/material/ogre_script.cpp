@@ -55,7 +55,7 @@ class Lexer {
     }
   }
 
-  /// Line ends are '\n'; those of Windows and a byte order mark are blanks.
+  /// Lines end with '\n'; carriage returns and a byte order mark count as blanks.
   static bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\xEF' ||
            c == '\xBB' || c == '\xBF';
@@ -105,12 +105,13 @@ class Lexer {
   std::vector<OgreToken> tokens_;
 };
 
-/// An OGRE script in words, braces, colons and line ends; comments are gone. As in OGRE, a colon or
-/// a comment counts as such only where a word could begin, so that `http://x` is one word.
+/// Splits an OGRE script into words, braces, colons and line ends; comments are dropped. As in
+/// OGRE, a colon or a comment counts as such only where a word could begin, so that `http://x` is
+/// one word.
 /// @throws Error "line 7: a quoted name without its end"
 std::vector<OgreToken> readOgreTokens(const std::string& text) { return Lexer(text).read(); }
 
-/// Sections within sections; real scripts have four levels.
+/// The deepest nesting of sections; real scripts have four levels.
 constexpr int kDeepestBraces = 32;
 
 [[noreturn]] void fail(int line, const std::string& what) {
@@ -137,7 +138,7 @@ class Parser {
   }
   [[nodiscard]] bool isText() const { return is(Kind::kWord) || is(Kind::kQuoted); }
 
-  /// Up to the section's '}' or the text's end.
+  /// Reads up to the section's '}' or the end of the text.
   void readContent(OgreObject& into, int depth) {
     if (depth > kDeepestBraces) fail(into.line, "its sections go deeper than any material's");
     while (at_ < tokens_.size() && !is(Kind::kClose)) {
@@ -152,7 +153,7 @@ class Parser {
     }
   }
 
-  /// A line, and where a '{' follows it the section that it is the head of.
+  /// Reads a line and, if a '{' follows it, the section that it begins.
   void readStatement(OgreObject& into, int depth) {
     const int line = tokens_[at_].line;
     std::vector<std::string> words = readWords();
@@ -181,7 +182,7 @@ class Parser {
     return words;
   }
 
-  /// Moves to behind the '{', which may stand on a line of its own.
+  /// Moves past a '{', which may be on a line of its own, if one follows.
   bool opensSection() {
     std::size_t next = at_;
     while (next < tokens_.size() && tokens_[next].kind == Kind::kLineEnd) ++next;
@@ -207,7 +208,7 @@ class Parser {
     return object;
   }
 
-  /// The file that is imported from.
+  /// The file that an import statement names.
   static std::string importOf(const std::vector<std::string>& words, int line) {
     const auto from = std::find(words.begin(), words.end(), "from");
     if (from == words.end() || from + 1 == words.end()) {
@@ -221,7 +222,7 @@ class Parser {
   OgreScript script_;
 };
 
-/// A real property has a dozen; variables of many words could make it grow beyond all measure.
+/// A real property has a dozen values; variables of many words could make it grow without bound.
 constexpr std::size_t kMostValues = 1000;
 
 using Variables = std::map<std::string, std::vector<std::string>>;

@@ -5,20 +5,21 @@
 
 namespace synthetic_dataset::world {
 
-/// A line of an OGRE script: `diffuse 1 0 0` in an object.
+/// A line of an OGRE script, such as `diffuse 1 0 0`.
 struct OgreProperty {
   std::string name;
   std::vector<std::string> values;
   int line = 0;
 };
 
-/// A section of an OGRE script: `material Name : Parent { ... }`, with `abstract` before it or not.
+/// A section of an OGRE script: `material Name : Parent { ... }`, optionally preceded by
+/// `abstract`.
 struct OgreObject {
   std::string kind;  ///< "material", "technique", "pass", "texture_unit", ...
   std::string name;  ///< may be empty
   std::vector<std::string> parents;
   int line = 0;
-  std::vector<OgreProperty> properties;  ///< a later one of the same name takes an earlier's place
+  std::vector<OgreProperty> properties;  ///< a later one overrides an earlier one of the same name
   std::vector<OgreObject> objects;
 };
 
@@ -27,13 +28,13 @@ struct OgreScript {
   std::vector<OgreObject> objects;
 };
 
-/// Reads the syntax of OGRE 1.x scripts (manual, "Material Scripts" and "Script Inheritance"),
-/// whatever the sections are.
+/// Parses the syntax of OGRE 1.x scripts (manual, "Material Scripts" and "Script Inheritance"),
+/// whatever kinds of section they contain.
 /// @throws Error "line 7: '}' without a '{' before it"
 [[nodiscard]] OgreScript parseOgreScript(const std::string& text);
 
-/// Puts the values of variables (`set $name value`) in the places of their names. Inner sections
-/// see the variables of outer ones, and a child's hide its parents'.
+/// Replaces variables (`set $name value`) by their values. Inner sections see the variables of
+/// outer ones; a child's variables hide its parents'.
 /// @throws Error "line 7: the variable '$name' has no value"
 void replaceVariables(OgreObject& object);
 

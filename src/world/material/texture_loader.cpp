@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The key of a picture without a file; no path begins like it.
+/// The key of a picture without a file; no path begins like this.
 std::string embeddedKey(const EmbeddedPicture& picture) {
   return "embedded " + std::to_string(reinterpret_cast<std::uintptr_t>(&picture));
 }
@@ -41,7 +41,7 @@ cv::Mat contentOf(const cv::Mat& pixels, PictureContent content) {
   return pixels;
 }
 
-/// As OGRE's `modulate` does, byte by byte.
+/// Multiplies pictures byte by byte, as OGRE's `modulate` does.
 cv::Mat productOf(const cv::Mat& a, const cv::Mat& b) {
   const cv::Size size(std::max(a.cols, b.cols), std::max(a.rows, b.rows));
   cv::Mat first;
@@ -55,10 +55,10 @@ cv::Mat productOf(const cv::Mat& a, const cv::Mat& b) {
 
 constexpr const char* kGazeboTextures = "media/materials/textures/";
 
-/// Normals of a flat surface: a picture without which nothing looks different.
+/// The normal map of a flat surface: without it, nothing looks different.
 constexpr const char* kFlatNormals = "flat_normal.png";
 
-/// The name of one of Gazebo's own pictures, as URIs name them; nothing for other URIs.
+/// The name of the picture of Gazebo's own to which a URI refers; nothing for other URIs.
 std::optional<std::string> gazeboPicture(const std::string& uri) {
   const std::size_t at = uri.rfind(kGazeboTextures);
   if (at == std::string::npos) return std::nullopt;

@@ -18,24 +18,24 @@
 
 namespace synthetic_dataset::world {
 
-/// What a picture's alpha channel says: only some materials mean it as holes.
+/// What a picture's alpha channel means: only some materials use it for holes.
 enum class AlphaMeaning { kIgnored, kOpacity };
 
-/// What is made of a picture's channels.
+/// How the channels of a picture are used.
 enum class PictureContent {
   kColour,       ///< as they are
-  kRed,          ///< the red one in place of all three: a number for each place
-  kInvertedRed,  ///< 1 minus the red one in place of all three: glossiness as roughness
-  /// A normal map; of a grey picture, whose values are heights, the normal map that belongs to
-  /// them. Mesh files name both kinds alike.
+  kRed,          ///< the red channel in all three: one number per pixel
+  kInvertedRed,  ///< 1 minus the red channel in all three: glossiness as roughness
+  /// A normal map; a grey picture is taken for heights and converted to a normal map. Mesh files
+  /// name both kinds alike.
   kNormalsOrHeights,
-  kAlphaFromGrey,  ///< an opacity picture: its grey as alpha, its colour white
+  kAlphaFromGrey,  ///< an opacity picture: its grey as alpha, white as its colour
 };
 
 /// A picture that a mesh file carries within itself.
 struct EmbeddedPicture {
   std::string name;                 ///< for messages
-  std::vector<std::uint8_t> bytes;  ///< a whole picture file
+  std::vector<std::uint8_t> bytes;  ///< a complete picture file
 };
 
 /// How a mesh file or a material names its picture.
@@ -45,7 +45,7 @@ struct TextureReference {
   std::shared_ptr<const EmbeddedPicture> embedded;
   AlphaMeaning alpha = AlphaMeaning::kIgnored;
   PictureContent content = PictureContent::kColour;
-  std::vector<std::filesystem::path> more_folders;  ///< in which its file name is looked for, too
+  std::vector<std::filesystem::path> more_folders;  ///< where its file name is looked for, too
 };
 
 /// Decodes each picture once, however many materials name it.
@@ -54,21 +54,22 @@ class TextureLoader {
   explicit TextureLoader(const ResourceFinder& finder) : finder_(finder) {}
   explicit TextureLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
-  /// Decodes pictures that are going to be wanted, all at once; faults are reported when they are.
+  /// Decodes pictures that will be needed, all at once; errors are reported when they are loaded.
   void decodeAhead(const std::vector<TextureReference>& references);
 
-  /// A picture is looked for where the URI says, then by its file name alone beside the file that
-  /// names it, in the model's materials/textures and in media/materials/textures of resource
-  /// folders, as Gazebo's resource system does. For one of Gazebo's own that is not there, a
-  /// stand-in is painted.
-  /// @return null for Gazebo's normals of a flat surface where they are not there
+  /// Loads a picture. It is looked for where the URI says, then by its file name alone next to the
+  /// file that names it, in the model's materials/textures and in media/materials/textures of
+  /// resource folders, as Gazebo's resource system does. For one of Gazebo's own that is not there,
+  /// a stand-in is painted.
+  /// @return null for Gazebo's normal map of a flat surface if it is not there
   /// @throws Error if it is missing or cannot be decoded ("texture 'x.png': no such file; ...")
   [[nodiscard]] std::shared_ptr<const Texture> load(const TextureReference& reference);
 
-  /// The picture that is painted in place of one of Gazebo's ("wood.jpg").
+  /// The stand-in for one of Gazebo's pictures ("wood.jpg"); null for the normal map of a flat
+  /// surface.
   [[nodiscard]] std::shared_ptr<const Texture> standIn(const std::string& picture);
 
-  /// Gazebo's pictures that stand-ins were painted for since this was asked last.
+  /// Gazebo's pictures for which stand-ins were painted since the last call.
   [[nodiscard]] std::set<std::string> takeStandIns() { return std::exchange(stand_ins_, {}); }
 
   /// A picture with another's alpha channel, brought to its size.
@@ -76,13 +77,13 @@ class TextureLoader {
   [[nodiscard]] std::shared_ptr<const Texture> loadWithOpacity(const TextureReference& colour,
                                                                const TextureReference& opacity);
 
-  /// A picture's colours times another's, in the size of the larger one.
+  /// The product of two pictures' colours, in the size of the larger one.
   /// @throws Error as `load`
   [[nodiscard]] std::shared_ptr<const Texture> loadProduct(const TextureReference& colour,
                                                            const TextureReference& factor);
 
-  /// A picture that is not a file's.
-  /// @param make  called the first time that the name is asked for; gives CV_8UC4
+  /// A picture that does not come from a file.
+  /// @param make  called the first time that the name is asked for; returns CV_8UC4
   [[nodiscard]] std::shared_ptr<const Texture> made(const std::string& name,
                                                     const std::function<cv::Mat()>& make);
 

@@ -31,7 +31,7 @@ bool assimpHasGaps() {
   return major < 5 || (major == 5 && aiGetVersionMinor() < 1);
 }
 
-void fillAssimpGaps(const std::filesystem::path& file, MeshFile& content) {
+void removeUnreliableData(const std::filesystem::path& file, MeshFile& content) {
   if (!assimpHasGaps()) return;
   const std::string extension = extensionOf(file);
   if (extension == ".stl" && removeColours(content)) {

@@ -14,9 +14,9 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// For each vertex the first one at its place.
+/// For each vertex, the index of the first one at the same place.
 std::vector<Index> placesOf(const std::vector<Eigen::Vector3f>& positions) {
-  constexpr double kSteps = 1U << 23U;  // in the mesh's size: what single precision distinguishes
+  constexpr double kSteps = 1U << 23U;  // over the mesh's size: the resolution of single precision
   float size = 0.0F;
   for (const Eigen::Vector3f& position : positions) {
     size = std::max(size, position.cwiseAbs().maxCoeff());
@@ -78,14 +78,14 @@ std::vector<Edge> edgesOf(const std::vector<TriangleIndices>& triangles) {
   return edges;
 }
 
-/// Which triangles hang together.
+/// The connected pieces of a set of triangles (union-find).
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), Index{0});
   }
 
-  /// The triangle that stands for a piece.
+  /// The triangle that represents a piece.
   [[nodiscard]] Index of(Index triangle) {
     while (parents_[triangle] != triangle) {
       parents_[triangle] = parents_[parents_[triangle]];
@@ -100,7 +100,8 @@ class Pieces {
   std::vector<Index> parents_;
 };
 
-/// The pieces, where each edge is one of two triangles that wind alike; else nothing.
+/// The pieces, if each edge is shared by exactly two triangles that wind consistently; else
+/// nothing.
 std::optional<Pieces> closedPieces(const std::vector<TriangleIndices>& triangles) {
   const std::vector<Edge> edges = edgesOf(triangles);
   Pieces pieces(triangles.size());
@@ -113,7 +114,7 @@ std::optional<Pieces> closedPieces(const std::vector<TriangleIndices>& triangles
   return pieces;
 }
 
-/// Whether triangles face outwards, piece by piece.
+/// Whether the triangles of each piece face outwards, so that it encloses a volume above 0.
 bool encloseVolume(const std::vector<TriangleIndices>& triangles, Pieces& pieces,
                    const std::vector<Eigen::Vector3f>& positions) {
   std::vector<double> volumes(triangles.size(), 0.0);  // times six

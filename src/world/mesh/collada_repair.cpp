@@ -19,10 +19,10 @@ bool isEmpty(const XMLElement* element) {
   return element == nullptr || (element->GetText() == nullptr && element->NoChildren());
 }
 
-/// Mends one document.
+/// Repairs one document.
 class ColladaMender {
  public:
-  /// Goes through all elements without calling itself: files may nest them as deep as they like.
+  /// Visits all elements without recursion, as files may nest them arbitrarily deep.
   bool mend(XMLElement& root) {
     XMLNode* node = &root;
     while (node != nullptr) {
@@ -45,7 +45,7 @@ class ColladaMender {
     }
     const std::string_view name = element.Name();
     if (name == "image") nameAPicture(element);
-    if (name == "node" && element.FirstChildElement("matrix") != nullptr) leaveMatrixAlone(element);
+    if (name == "node" && element.FirstChildElement("matrix") != nullptr) keepOnlyMatrix(element);
   }
 
   void dropComments(XMLElement& element) {
@@ -77,7 +77,7 @@ class ColladaMender {
     mended_ = true;
   }
 
-  void leaveMatrixAlone(XMLElement& node) {
+  void keepOnlyMatrix(XMLElement& node) {
     bool has_matrix = false;
     XMLElement* next = nullptr;
     for (XMLElement* child = node.FirstChildElement(); child != nullptr; child = next) {

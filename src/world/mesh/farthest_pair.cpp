@@ -18,12 +18,12 @@ struct Node {
   std::size_t first = 0;
   std::size_t last = 0;
   Eigen::AlignedBox3d box;
-  std::size_t child = 0;  ///< the other one follows it; 0 for none: that is the root
+  std::size_t child = 0;  ///< the first child, followed by the other; 0 (the root) for none
 
   [[nodiscard]] bool isLeaf() const { return child == 0; }
 };
 
-/// A tree of boxes over the points, which it sorts; the root comes first.
+/// Builds a tree of boxes over the points, which it reorders; the root comes first.
 std::vector<Node> makeTree(Points& points) {
   constexpr std::size_t kLeaf = 16;
   std::vector<Node> nodes;
@@ -53,14 +53,14 @@ std::vector<Node> makeTree(Points& points) {
   return nodes;
 }
 
-/// How far apart points of two boxes can be, squared.
+/// The largest distance that points of two boxes can have, squared.
 double reachOf(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
   const Eigen::Vector3d ahead = (a.max() - b.min()).cwiseAbs();
   const Eigen::Vector3d back = (b.max() - a.min()).cwiseAbs();
   return ahead.cwiseMax(back).squaredNorm();
 }
 
-/// What the points of a leaf span along a direction, and how far they are from a line along it.
+/// The range of a leaf's points along a direction, and their largest distance from a line along it.
 struct Span {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -97,7 +97,8 @@ class Search {
   }
 
  private:
-  /// From point to farthest point a few times: a pair that is far apart, if not the farthest.
+  /// Goes from a point to the one farthest from it, a few times: this finds a pair that is far
+  /// apart, if not the farthest.
   void startFar() {
     constexpr int kSteps = 4;
     Eigen::Vector3d from = points_.front();
@@ -124,7 +125,8 @@ class Search {
     return span;
   }
 
-  /// Along the line between two leaves their points are well known; across it, they add little.
+  /// Whether two leaves may have a pair that is farther apart: the extents of their points along
+  /// the line between them are exact, and those across it add little.
   [[nodiscard]] bool canBeat(const Node& a, const Node& b) const {
     const Eigen::Vector3d centre = a.box.center();
     const Eigen::Vector3d direction = (b.box.center() - centre).normalized();

@@ -40,15 +40,16 @@ constexpr float kCreaseAngle = 45.0F;
 
 void configure(Assimp::Importer& importer) {
   // Gazebo does not parse <up_axis> (gazebo-classic issue 1305; gz-common drops the root's
-  // rotation), and neither does rviz, so the models that are about are made for that.
+  // rotation), and neither does rviz, so existing models are made for that.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  // <submesh> names what the modeller sees, not the file's identifiers.
+  // <submesh> refers to the names that the modeller sees, not to the file's identifiers.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT);
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseAngle);
 }
 
-/// assimp (5.2) does not for all formats, and its steps read whatever lies behind the vertices.
+/// assimp (5.2) does not check indices for all formats, and its processing steps would read beyond
+/// the vertices.
 void checkIndices(const aiScene& scene) {
   for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
     const aiMesh& mesh = *scene.mMeshes[i];
@@ -83,7 +84,7 @@ const aiScene* tryImport(Assimp::Importer& importer, const std::filesystem::path
   }
 }
 
-/// assimp (5.2) reads on for ever in a PLY file whose header does not end.
+/// assimp (5.2) never stops reading a PLY file whose header does not end.
 void checkPly(const std::filesystem::path& file) {
   std::ifstream stream = base::openInput(file);
   std::string line;
@@ -94,7 +95,7 @@ void checkPly(const std::filesystem::path& file) {
   throw Error("cannot be read: its header has no line 'end_header'");
 }
 
-/// @return null for a file that names another that it may not name
+/// @return null for a file that names another that it must not name
 const aiScene* import(Assimp::Importer& importer, const std::filesystem::path& file,
                       MeshFileAccess& access) {
   configure(importer);
@@ -118,7 +119,8 @@ const aiVector3D* textureCoordinates(const aiMesh& mesh, unsigned channel) {
   return mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0] : nullptr;
 }
 
-/// glTF's are linear (glTF 2.0, section 3.7.2.1), all others' are shown as they are.
+/// glTF's colours are linear (glTF 2.0, section 3.7.2.1); those of all other formats are shown as
+/// they are.
 void copyColours(const aiMesh& from, bool linear, Mesh& to) {
   const aiColor4D* colours = from.mColors[0];
   if (colours == nullptr) return;
@@ -130,7 +132,7 @@ void copyColours(const aiMesh& from, bool linear, Mesh& to) {
     if (linear) colour.head<3>() = colour.head<3>().unaryExpr(&encodedComponent).eval();
     to.colours.push_back(colour);
   }
-  // assimp (5.2) gives glTF's colours without alpha one of 0.
+  // assimp (5.2) gives glTF's colours without alpha an alpha of 0.
   const auto has_no_alpha = [](const Eigen::Vector4f& colour) { return colour.w() == 0.0F; };
   if (std::all_of(to.colours.begin(), to.colours.end(), has_no_alpha)) {
     for (Eigen::Vector4f& colour : to.colours) colour.w() = 1.0F;
@@ -139,7 +141,8 @@ void copyColours(const aiMesh& from, bool linear, Mesh& to) {
   if (std::all_of(to.colours.begin(), to.colours.end(), is_white)) to.colours.clear();
 }
 
-/// @param posed  where each vertex is taken instead, of a mesh that a skeleton moves; else empty
+/// @param posed  the transform of each vertex, of a mesh that a skeleton moves, instead of `node`;
+///     else empty
 void copyVertices(const aiMesh& from, const Eigen::Affine3d& node,
                   const std::vector<Eigen::Affine3d>& posed, unsigned channel, Mesh& to) {
   to.positions.reserve(from.mNumVertices);
@@ -176,7 +179,7 @@ void copyTriangles(const aiMesh& from, bool mirrored, Mesh& to) {
   }
 }
 
-/// Gazebo calls a submesh by the name of the nearest node that has one.
+/// Gazebo names a submesh after the nearest node that has a name.
 std::string nodeName(const aiNode* node) {
   for (; node != nullptr; node = node->mParent) {
     const std::string name = node->mName.C_Str();
@@ -188,9 +191,9 @@ std::string nodeName(const aiNode* node) {
 /// Reads a scene's nodes into parts.
 struct SceneReader {
   const aiScene& scene;
-  const std::vector<unsigned>& channels;  ///< of texture coordinates, one a material
+  const std::vector<unsigned>& channels;  ///< of texture coordinates, one per material
   bool linear_colours;
-  const SkinPose* pose;  ///< none: skins are as they were modelled
+  const SkinPose* pose;  ///< null: skins stay as modelled
   std::vector<MeshPart> parts;
 
   void read(const aiNode& node, const Eigen::Affine3d& parent) {
@@ -220,15 +223,15 @@ bool hasLines(const aiScene& scene) {
   return false;
 }
 
-/// A material that no file has asked for leaves the colour to the vertices that have one.
+/// Makes a default material white if the vertices have colours, so that only those count.
 void whitenMadeUp(MeshFile& result) {
   for (const MeshPart& part : result.parts) {
     MaterialSource& source = result.materials[part.material];
-    if (source.made_up && !part.mesh.colours.empty()) source.material.diffuse.setOnes();
+    if (source.is_default && !part.mesh.colours.empty()) source.material.diffuse.setOnes();
   }
 }
 
-/// For a name that no library of an OBJ file defines, assimp makes up a material.
+/// Whether a library defines the material: for other names in an OBJ file, assimp makes one up.
 bool isDefined(const aiMaterial& material, const MeshFileAccess& access) {
   aiString name;
   return material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS &&
@@ -245,7 +248,7 @@ std::vector<MaterialSource> readMaterials(const aiScene& scene, const std::files
     materials.push_back(readMaterial(material, file, pictures));
     if (has_library && !isDefined(material, access)) {
       materials.back() = MaterialSource{};
-      materials.back().made_up = true;
+      materials.back().is_default = true;
     }
     for (const auto* reference : referencesOf(materials.back())) {
       if (*reference && !(*reference)->embedded) access.checkPicture((*reference)->uri);
@@ -254,9 +257,9 @@ std::vector<MaterialSource> readMaterials(const aiScene& scene, const std::files
   return materials;
 }
 
-/// Material libraries that are missed by what is drawn.
+/// Notes on missing material libraries, if something that is drawn lacks their materials.
 std::vector<std::string> notesOn(const MeshFile& file, const MeshFileAccess& access) {
-  const auto lacks = [&](const MeshPart& part) { return file.materials[part.material].made_up; };
+  const auto lacks = [&](const MeshPart& part) { return file.materials[part.material].is_default; };
   if (std::none_of(file.parts.begin(), file.parts.end(), lacks)) return {};
   std::vector<std::string> notes;
   for (const std::string& library : access.missingLibraries()) {
@@ -266,7 +269,7 @@ std::vector<std::string> notesOn(const MeshFile& file, const MeshFileAccess& acc
   return notes;
 }
 
-/// What an animation's file says is copied; the file itself is not kept.
+/// The pose is copied from the animation's file, which is not kept.
 std::optional<SkinPose> poseOf(const aiScene& skin,
                                const std::optional<std::filesystem::path>& animation) {
   if (!animation) return std::nullopt;
@@ -281,7 +284,7 @@ std::optional<SkinPose> poseOf(const aiScene& skin,
 
 base::SandboxLimits meshSandboxLimits(const std::filesystem::path& file) {
   base::SandboxLimits limits;
-  // A glTF file's size says nothing: its numbers are in others.
+  // A glTF file's size says nothing: its data is in other files.
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
   if (unknown || extensionOf(file) == ".gltf") return limits;
@@ -323,7 +326,7 @@ MeshFile importMeshFile(const std::filesystem::path& file,
   result.has_lines = hasLines(*scene);
   result.notes = notesOn(result, access);
   result.files.assign(access.askedFor().begin(), access.askedFor().end());
-  fillAssimpGaps(file, result);
+  removeUnreliableData(file, result);
   whitenMadeUp(result);
   return result;
 }

@@ -42,7 +42,7 @@ class MeshFileAccess::IoSystem : public Assimp::DefaultIOSystem {
  public:
   explicit IoSystem(MeshFileAccess& access) : access_(access) {}
 
-  /// The library's own opens the file, which may never end.
+  /// The base class would open the file, which may block for ever.
   bool Exists(const char* path) const override { return access_.allows(path); }
 
   Assimp::IOStream* Open(const char* path, const char* mode) override {

@@ -33,7 +33,7 @@ EmbeddedPictures gather(const MeshFile& file) {
   return pictures;
 }
 
-// They count from 1; 0 means that it is not embedded.
+// Numbers start from 1; 0 means that the picture is not embedded.
 std::uint64_t numberOf(const Embedded& picture, const EmbeddedPictures& pictures) {
   if (!picture) return 0;
   const auto found = std::find(pictures.begin(), pictures.end(), picture);
@@ -146,7 +146,7 @@ std::string toBytes(const MeshFile& file) {
   writer.number<std::uint64_t>(file.materials.size());
   for (const MaterialSource& source : file.materials) {
     write(source.material, writer);
-    writer.number(source.made_up);
+    writer.number(source.is_default);
     for (const Reference* reference : referencesOf(source)) write(*reference, pictures, writer);
   }
   writer.number<std::uint64_t>(file.parts.size());
@@ -174,7 +174,7 @@ MeshFile meshFileOf(std::string_view bytes) {
   file.materials.resize(reader.entries());
   for (MaterialSource& source : file.materials) {
     source.material = readMaterial(reader);
-    source.made_up = reader.number<bool>();
+    source.is_default = reader.number<bool>();
     for (Reference* reference : referencesOf(source)) *reference = readReference(pictures, reader);
   }
   const std::size_t parts = reader.entries();

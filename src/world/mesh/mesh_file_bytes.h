@@ -7,10 +7,10 @@
 
 namespace synthetic_dataset::world {
 
-/// A mesh file's content as bytes, to hand it from one process of this program to another.
+/// Serializes a mesh file's content, to pass it from one process of this program to another.
 [[nodiscard]] std::string toBytes(const MeshFile& file);
 
-/// @throws Error if the bytes are not whole
+/// @throws Error if the bytes are incomplete
 [[nodiscard]] MeshFile meshFileOf(std::string_view bytes);
 
 }  // namespace synthetic_dataset::world

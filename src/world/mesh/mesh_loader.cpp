@@ -24,9 +24,9 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Reads many mesh files at once, as many side by side as the machine has cores. Processes of their
-/// own cost more than the reading of a small file does; here some files share one.
-/// @return those that could be read, by path; of the others readMeshFile says what is wrong
+/// Reads many mesh files in parallel, as many at a time as the machine has cores. A process per
+/// file would cost more than reading a small file does, so that several files share one.
+/// @return those that could be read, by path; for the others, readMeshFile reports what is wrong
 std::map<std::string, MeshFile> readMeshFiles(const std::vector<std::filesystem::path>& files) {
   std::vector<base::SandboxedWork> pieces;
   for (const auto& file : files) {
@@ -43,7 +43,7 @@ std::map<std::string, MeshFile> readMeshFiles(const std::vector<std::filesystem:
       for (const std::filesystem::path& each : content.files) base::InputWatch::note(each);
       result.emplace(files[i].string(), std::move(content));
     } catch (const Error&) {
-      continue;  // it is read by itself then
+      continue;  // it is read again, by itself, when it is needed
     }
   }
   return result;
@@ -86,7 +86,7 @@ std::vector<const MeshPart*> wantedParts(const MeshFile& file, const std::string
   return wanted;
 }
 
-/// What brings the wanted parts' bounding box to the origin.
+/// The shift that moves the centre of the wanted parts' bounding box to the origin.
 Eigen::Vector3f centring(const std::vector<const MeshPart*>& parts) {
   Eigen::AlignedBox3f bounds;
   for (const MeshPart* part : parts) {
@@ -118,7 +118,8 @@ void moveAndScale(const Eigen::Vector3f& shift, const Eigen::Vector3d& scale, Me
   }
 }
 
-/// Numbers beyond what can be drawn or simulated come of damaged files and mistaken scales.
+/// Rejects coordinates beyond what can be drawn or simulated, which come from damaged files and
+/// wrong scales.
 void checkExtent(const Mesh& mesh) {
   for (const Eigen::Vector3f& position : mesh.positions) {
     const float extent = position.cwiseAbs().maxCoeff();
@@ -131,13 +132,13 @@ void checkExtent(const Mesh& mesh) {
   }
 }
 
-/// Parts of the same material become one piece, so that they are drawn in one go.
+/// Merges parts of the same material into one piece, so that they are drawn together.
 std::vector<MeshPiece> makePieces(const MeshFile& file, const MeshRequest& request) {
   const std::vector<const MeshPart*> parts = wantedParts(file, request.submesh);
   const bool centred = request.centre_submesh && !request.submesh.empty();
   const Eigen::Vector3f shift =
       centred ? centring(parts) : Eigen::Vector3f(Eigen::Vector3f::Zero());
-  // Material, with texture coordinates, with colours.
+  // Material, whether it has texture coordinates, whether it has colours.
   using Kind = std::tuple<std::size_t, bool, bool>;
   std::vector<std::pair<Kind, Mesh>> meshes;
   for (const MeshPart* part : parts) {
@@ -157,7 +158,7 @@ std::vector<MeshPiece> makePieces(const MeshFile& file, const MeshRequest& reque
   return pieces;
 }
 
-/// The pictures of the materials that its parts have.
+/// The pictures of the materials that a file's parts use.
 std::vector<TextureReference> picturesOf(const MeshFile& file) {
   std::set<std::size_t> materials;
   for (const MeshPart& part : file.parts) materials.insert(part.material);
@@ -170,7 +171,7 @@ std::vector<TextureReference> picturesOf(const MeshFile& file) {
   return pictures;
 }
 
-/// A skin in another pose counts as another file.
+/// A skin that is posed by an animation counts as a file of its own.
 std::string fileKey(const std::filesystem::path& file,
                     const std::optional<std::filesystem::path>& animation) {
   return file.string() + (animation ? "\n" + animation->string() : "");
@@ -285,8 +286,8 @@ std::vector<std::string> MeshLoader::takeNotes() {
   return notes;
 }
 
-bool MeshLoader::isMadeUp(const std::filesystem::path& file, std::size_t index) {
-  return read(file).materials.at(index).made_up;
+bool MeshLoader::isDefaultMaterial(const std::filesystem::path& file, std::size_t index) {
+  return read(file).materials.at(index).is_default;
 }
 
 Material MeshLoader::material(const MeshRequest& request, std::size_t index,

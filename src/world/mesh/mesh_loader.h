@@ -19,65 +19,66 @@
 
 namespace synthetic_dataset::world {
 
-/// Which part of a mesh file is wanted, and how large.
+/// The part of a mesh file that is requested, and its scale.
 struct MeshRequest {
   std::filesystem::path file;
-  Eigen::Vector3d scale{1, 1, 1};                    ///< negative ones mirror
-  std::string submesh;                               ///< empty: all of the file
+  Eigen::Vector3d scale{1, 1, 1};                    ///< negative factors mirror
+  std::string submesh;                               ///< empty: the whole file
   bool centre_submesh = false;                       ///< its bounding box is moved to the origin
-  std::optional<std::filesystem::path> animation{};  ///< whose first pose its skin takes
+  std::optional<std::filesystem::path> animation{};  ///< its first pose is given to the skin
 };
 
-/// Triangles in one of the file's own materials.
+/// Triangles with one of the file's own materials.
 struct MeshPiece {
   std::shared_ptr<const Mesh> mesh;
   std::size_t material = 0;
 };
 
-/// A mesh file that is going to be wanted.
+/// A mesh file that will be needed.
 struct MeshAhead {
   std::filesystem::path file;
-  bool with_pictures = false;  ///< those of its own materials are, too
+  bool with_pictures = false;  ///< the pictures of its own materials will be needed, too
 };
 
 /// How the note about lines in meshes begins.
 inline constexpr const char* kLinesNote = "lines in meshes have no area, and are not drawn: ";
 
-/// Reads each mesh file, picture and material script once, and shares what was made of them.
+/// Reads each mesh file, picture and material script once, and shares the results.
 class MeshLoader {
  public:
   explicit MeshLoader(const ResourceFinder& finder)
       : finder_(finder), textures_(finder), scripts_(finder) {}
   explicit MeshLoader(ResourceFinder&&) = delete;  // it has to outlive this
 
-  /// Reads mesh files that are going to be wanted and are not known, all at once; faults are
-  /// reported when they are.
+  /// Reads mesh files that will be needed and have not been read yet, in parallel; errors are
+  /// reported when the files are requested.
   void readAhead(const std::vector<MeshAhead>& wanted);
 
   /// Whether a file has been read, or was found to be unreadable.
   [[nodiscard]] bool knows(const std::filesystem::path& file) const;
 
-  /// The wanted triangles, one piece a material.
+  /// The requested triangles, one piece per material.
   /// @throws Error "mesh 'x.dae': <why it cannot be read, or that the submesh is not in it>"
   [[nodiscard]] const std::vector<MeshPiece>& pieces(const MeshRequest& request);
 
-  /// The wanted triangles in one piece, for collisions.
+  /// The requested triangles in one piece, for collisions.
   /// @throws Error as `pieces`
   [[nodiscard]] std::shared_ptr<const Mesh> whole(const MeshRequest& request);
 
-  /// The material of a piece that `pieces` has given for the same request, with its pictures.
-  /// @param missing  called for each picture that is missing or cannot be decoded, and left out
+  /// The material, with its pictures, of a piece that `pieces` has returned for the same request.
+  /// @param missing  called for each picture that is left out because it is missing or cannot be
+  ///     decoded
   [[nodiscard]] Material material(const MeshRequest& request, std::size_t index,
                                   const MissingPicture& missing);
 
   /// Whether such a material stands in for one that the file does not have.
-  [[nodiscard]] bool isMadeUp(const std::filesystem::path& file, std::size_t index);
+  [[nodiscard]] bool isDefaultMaterial(const std::filesystem::path& file, std::size_t index);
 
-  /// Whether a file that `pieces` has read is COLLADA that says that y points up.
+  /// Whether a file that `pieces` has read is COLLADA that declares that y points up.
   [[nodiscard]] bool saysYUp(const std::filesystem::path& file) { return read(file).y_up; }
 
-  /// What is drawn otherwise than the files that were wanted would have it, and Gazebo's pictures
-  /// that stand-ins were painted for. Each is given once.
+  /// Notes on what is drawn differently from the requested files, and on Gazebo's pictures for
+  /// which stand-ins were painted. Each note is returned once.
   [[nodiscard]] std::vector<std::string> takeNotes();
 
   [[nodiscard]] TextureLoader& textures() { return textures_; }
@@ -98,7 +99,7 @@ class MeshLoader {
   std::map<std::string, std::variant<MeshFile, std::string>> files_;  ///< or why it is unreadable
   std::set<std::string> wanted_;  ///< files whose notes have been gathered
   std::vector<std::string> notes_;
-  std::vector<std::string> with_lines_;  ///< files, since notes were taken
+  std::vector<std::string> with_lines_;  ///< files with lines, since notes were last taken
   std::map<Key, std::vector<MeshPiece>> pieces_;
   std::map<Key, std::shared_ptr<const Mesh>> wholes_;
 };

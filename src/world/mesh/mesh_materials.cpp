@@ -27,7 +27,7 @@ std::optional<aiColor4D> colour(const aiMaterial& material, const char* key) {
   return value;
 }
 
-/// The first of the keys that the material has: names have changed with assimp's versions.
+/// The value of the first key that the material has: names differ between versions of assimp.
 std::optional<float> number(const aiMaterial& material, std::initializer_list<const char*> keys) {
   for (const char* key : keys) {
     float value = 0.0F;
@@ -58,11 +58,12 @@ Eigen::Vector4f withAlpha(const Eigen::Vector3f& colour, float alpha) {
   return {colour.x(), colour.y(), colour.z(), alpha};
 }
 
-/// Whether an opacity picture is the diffuse one again: then that one's alpha is meant.
+/// Whether an opacity picture is the same as the diffuse one: then its alpha is meant.
 bool isSame(const TextureReference& a, const TextureReference& b) { return a.uri == b.uri; }
 
-/// A transform (u, v) -> (scale u + offset, ...) counts from the picture's lower edge, and flipping
-/// the coordinates turns its offset's sign alone (assimp, FlipUVsProcess); here v grows downwards.
+/// A transform (u, v) -> (scale u + offset, ...) starts from the picture's lower edge, and flipping
+/// the coordinates only changes the sign of its offset (assimp, FlipUVsProcess); in Material, v
+/// grows downwards.
 void readTransform(const aiMaterial& from, Material& to) {
   aiUVTransform transform;
   if (from.Get(AI_MATKEY_UVTRANSFORM(aiTextureType_DIFFUSE, 0), transform) != aiReturn_SUCCESS) {
@@ -75,7 +76,7 @@ void readTransform(const aiMaterial& from, Material& to) {
   to.texture_offset = {shift.x, 1.0F - scale.y + shift.y};
 }
 
-/// Phong's and Lambert's materials: COLLADA, OBJ and all else but glTF.
+/// Reads Phong and Lambert materials: those of COLLADA, OBJ and all formats but glTF.
 class ClassicReader {
  public:
   ClassicReader(const aiMaterial& from, std::string extension, MeshPictures& pictures)
@@ -101,12 +102,12 @@ class ClassicReader {
     if (result_.texture && isCollada()) material().diffuse.setOnes();
     readAmbient();
     if (const auto specular = colour(from_, "$clr.specular")) material().specular = rgb(*specular);
-    // Lambert's model has no highlight; assimp gives COLLADA's a grey one.
+    // The Lambert model has no highlight; assimp gives COLLADA's Lambert materials a grey one.
     if (isCollada() && shadingModel(from_) == aiShadingMode_Gouraud) material().specular.setZero();
     if (const auto emissive = colour(from_, "$clr.emissive")) material().emissive = rgb(*emissive);
   }
 
-  /// Where COLLADA says none, assimp has a grey of its own, and Gazebo Classic another
+  /// If COLLADA gives no ambient colour, assimp uses one grey, and Gazebo Classic another
   /// (gazebo/common/Material.cc).
   void readAmbient() {
     constexpr float kAssimps = 0.1F;
@@ -120,15 +121,15 @@ class ClassicReader {
 
   void readShininess() {
     const auto shininess = number(from_, {"$mat.shininess"});
-    if (!shininess || !(*shininess > 0.0F)) return;  // nobody has given one
+    if (!shininess || !(*shininess > 0.0F)) return;  // the file gives none
     material().shininess = std::min(*shininess, 1e4F);
     material().roughness = roughnessOfShininess(*shininess);
   }
 
   void readOpacity() {
     const auto opacity = number(from_, {"$mat.opacity"});
-    // Exporters disagree on which end of COLLADA's <transparency> is opaque. Nobody models a thing
-    // that cannot be seen at all.
+    // Exporters disagree on which end of COLLADA's <transparency> is opaque, so 0 counts as opaque:
+    // nobody models a thing that cannot be seen at all.
     if (opacity && unit(*opacity) > 0.0F) material().diffuse.w() = unit(*opacity);
     result_.opacity = pictures_.find(from_, aiTextureType_OPACITY);
     if (!result_.opacity) return;
@@ -148,7 +149,7 @@ class ClassicReader {
     if (result_.normal_map) result_.normal_map->content = PictureContent::kNormalsOrHeights;
     result_.emissive_map = pictures_.find(from_, aiTextureType_EMISSIVE);
     if (result_.emissive_map && material().emissive.isZero()) material().emissive.setOnes();
-    // As Gazebo shows it: the picture colours all light that the surface sends, its own too.
+    // As in Gazebo, the picture tints all light from the surface, including what it emits.
     if (!result_.emissive_map && !material().emissive.isZero()) {
       result_.emissive_map = result_.texture;
     }
@@ -167,7 +168,8 @@ std::string alphaMode(const aiMaterial& material) {
   return mode.C_Str();
 }
 
-/// glTF 2.0, sections 3.9.2 to 3.9.5: numbers are factors of pictures, colours are linear.
+/// Reads glTF materials (glTF 2.0, sections 3.9.2 to 3.9.5): numbers are factors on pictures,
+/// colours are linear.
 class GltfReader {
  public:
   GltfReader(const aiMaterial& from, MeshPictures& pictures) : from_(from), pictures_(pictures) {}
@@ -190,7 +192,7 @@ class GltfReader {
     if (const auto diffuse = colour(from_, "$clr.diffuse")) {
       material().diffuse = withAlpha(encoded(rgb(*diffuse)), unit(diffuse->a));
     }
-    material().ambient = material().diffuse.head<3>();  // Classic's, which glTF does not have
+    material().ambient = material().diffuse.head<3>();  // for Classic; glTF has no ambient colour
     if (const auto emissive = colour(from_, "$clr.emissive")) {
       material().emissive = encoded(rgb(*emissive));
     }
@@ -213,7 +215,7 @@ class GltfReader {
   }
 
   void readMetallicRoughness() {
-    // KHR_materials_pbrSpecularGlossiness has glossiness in their place.
+    // KHR_materials_pbrSpecularGlossiness has glossiness instead.
     const auto glossiness =
         number(from_, {"$mat.glossinessFactor", "$mat.gltf.pbrMetallicRoughness.glossinessFactor"});
     if (glossiness && hasProperty(from_, "$clr.specular")) {
@@ -252,7 +254,7 @@ std::string extensionOf(const std::filesystem::path& file) {
   return extension;
 }
 
-bool isMadeUp(const aiMaterial& material, const std::filesystem::path& file) {
+bool isDefaultMaterial(const aiMaterial& material, const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
   if (extension == ".stl" || extension == ".ply") return true;
   aiString name;
@@ -277,10 +279,10 @@ MaterialSource readMaterial(const aiMaterial& material, const std::filesystem::p
     result = GltfReader(material, pictures).read();
   } else {
     result = ClassicReader(material, extension, pictures).read();
-    if (isMadeUp(material, file) && !result.texture) {
+    if (isDefaultMaterial(material, file) && !result.texture) {
       result = MaterialSource{};
       result.material = defaultMaterial();
-      result.made_up = true;
+      result.is_default = true;
     }
   }
   int two_sided = 0;

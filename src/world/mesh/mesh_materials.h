@@ -8,19 +8,19 @@
 
 namespace synthetic_dataset::world {
 
-/// In lower case, with its dot.
+/// The extension in lower case, with its dot.
 [[nodiscard]] std::string extensionOf(const std::filesystem::path& file);
 
-/// A material of a mesh file.
+/// Reads a material of a mesh file.
 /// @param pictures  of the scene that the material belongs to
 [[nodiscard]] MaterialSource readMaterial(const aiMaterial& material,
                                           const std::filesystem::path& file,
                                           MeshPictures& pictures);
 
 /// Whether the material is one that assimp makes for files without materials.
-[[nodiscard]] bool isMadeUp(const aiMaterial& material, const std::filesystem::path& file);
+[[nodiscard]] bool isDefaultMaterial(const aiMaterial& material, const std::filesystem::path& file);
 
-/// The set of texture coordinates that the diffuse picture uses.
+/// The index of the texture coordinates that the diffuse picture uses.
 [[nodiscard]] unsigned textureChannel(const aiMaterial& material);
 
 }  // namespace synthetic_dataset::world

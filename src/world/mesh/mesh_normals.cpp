@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3f> meanFaceNormals(const Mesh& mesh) {
   normals.reserve(sums.size());
   for (const Eigen::Vector3d& sum : sums) {
     const double length = sum.norm();
-    // A vertex of nothing but degenerate triangles is not seen; its normal is never looked at.
+    // A vertex of only degenerate triangles is not seen; its normal is never used.
     const Eigen::Vector3d unit =
         length > 0.0 ? Eigen::Vector3d(sum / length) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
     normals.push_back(unit.cast<float>());

@@ -4,9 +4,9 @@
 
 namespace synthetic_dataset::world {
 
-/// Makes every normal unit length; one that is missing (zero) or no number becomes the mean of its
-/// vertex' triangles, weighted by area.
-/// @param mesh  with one normal a position
+/// Normalizes every normal; one that is missing (zero) or not a number becomes the mean normal of
+/// its vertex's triangles, weighted by area.
+/// @param mesh  with one normal per position
 void completeNormals(Mesh& mesh);
 
 }  // namespace synthetic_dataset::world

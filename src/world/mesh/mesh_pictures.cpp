@@ -11,7 +11,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Raw pixels within the scene are made a PNG file, as the others are.
+/// Raw pixels in the scene are encoded as a PNG file, as the other pictures are files already.
 std::shared_ptr<const EmbeddedPicture> copyEmbedded(const aiTexture& texture,
                                                     const std::string& name) {
   auto picture = std::make_shared<EmbeddedPicture>();

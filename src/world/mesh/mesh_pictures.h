@@ -14,12 +14,12 @@ struct aiTexture;
 
 namespace synthetic_dataset::world {
 
-/// The pictures that the materials of one scene of assimp's name.
+/// The pictures that the materials of one assimp scene refer to.
 class MeshPictures {
  public:
   MeshPictures(const aiScene& scene, std::filesystem::path file);
 
-  /// @return nothing where the material has no picture of this type
+  /// @return nothing if the material has no picture of this type
   [[nodiscard]] std::optional<TextureReference> find(const aiMaterial& material,
                                                      aiTextureType type);
 

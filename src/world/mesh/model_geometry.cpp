@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// The corners of all triangles, each place once.
+/// The corners of all triangles, without duplicates.
 Points cornersOf(const Link& link) {
   Points points;
   for (const Visual& visual : link.visuals) {

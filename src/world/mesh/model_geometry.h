@@ -9,8 +9,8 @@
 
 namespace synthetic_dataset::world {
 
-/// The outermost points of a model's visuals, link by link, from which its extent at any pose of
-/// the links follows exactly.
+/// The outermost points of a model's visuals, link by link, which determine its extent exactly for
+/// any poses of the links.
 class ModelGeometry {
  public:
   /// @param links  of the model
@@ -19,7 +19,8 @@ class ModelGeometry {
   /// Whether nothing of the model can be seen.
   [[nodiscard]] bool isEmpty() const;
 
-  /// The corners of the smallest box along the axes of O around all visuals, x before y before z.
+  /// The corners of the smallest box around all visuals along the axes of O, sorted by x, then y,
+  /// then z.
   /// @param X_OL  of each link
   [[nodiscard]] std::vector<Eigen::Vector3d> box(const std::vector<Pose>& X_OL) const;
 

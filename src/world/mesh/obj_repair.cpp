@@ -22,7 +22,7 @@ bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Whether a number such as ".4", "-.4" begins here; `at` is the point then.
+/// Whether a number such as ".4" or "-.4" begins at `at`, which is moved to its point then.
 bool beginsWithPoint(std::string_view line, std::size_t& at) {
   std::size_t point = at;
   if (point < line.size() && (line[point] == '-' || line[point] == '+')) ++point;
@@ -31,7 +31,7 @@ bool beginsWithPoint(std::string_view line, std::size_t& at) {
   return true;
 }
 
-/// "v .4 0 -.3" as "v 0.4 0 -0.3".
+/// Appends "v .4 0 -.3" as "v 0.4 0 -0.3".
 void appendNumbers(std::string_view line, std::string& to) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const bool begins = i > 0 && isBlank(line[i - 1]);
@@ -49,7 +49,8 @@ std::string_view withoutBlanksBehind(std::string_view line) {
   return line;
 }
 
-/// The text with each line treated, and without a byte order mark.
+/// The text with each line passed through `treat`, without blanks at the end of lines or a byte
+/// order mark.
 template <class Treat>
 std::string eachLine(const std::string& text, const Treat& treat) {
   std::string_view rest = text;
@@ -79,11 +80,12 @@ bool hasLineOf(std::string_view keyword, const std::string& text) {
   return has_one;
 }
 
-/// A face's corners "1/2/3" without the indices of what the file does not have: "1//3", "1".
-/// @param keeps  whether it has texture coordinates, and normals
+/// Appends a face's corners "1/2/3" without the indices of what the file does not have: "1//3",
+/// "1".
+/// @param keeps  whether the file has texture coordinates, and normals
 void appendCorners(std::string_view line, const std::array<bool, 2>& keeps, std::string& to) {
-  std::size_t slash = 0;  // in this corner
-  std::string pending;    // slashes after which nothing has come
+  std::size_t slash = 0;  // number of slashes so far in this corner
+  std::string pending;    // slashes that no index has followed yet
   for (const char c : line) {
     if (c == '/') {
       ++slash;
@@ -102,7 +104,8 @@ void appendCorners(std::string_view line, const std::array<bool, 2>& keeps, std:
   }
 }
 
-/// The names in "two.mtl my own.mtl": blanks may be part of one, and the next begins behind ".mtl".
+/// The names in "two.mtl my own.mtl": a name may contain blanks, and the next one begins after
+/// ".mtl".
 std::vector<std::string> libraryNames(const std::string& names) {
   std::vector<std::string> found;
   std::size_t begin = 0;
@@ -116,7 +119,7 @@ std::vector<std::string> libraryNames(const std::string& names) {
   return found;
 }
 
-/// What stands behind a keyword, on each line that begins with it.
+/// The text after a keyword, for each line that begins with it.
 std::vector<std::string> namesAfter(std::string_view keyword, const std::string& text) {
   std::vector<std::string> names;
   eachLine(text, [&](std::string_view line, std::string&) {

@@ -5,14 +5,14 @@
 
 namespace synthetic_dataset::world {
 
-/// An OBJ file's text as assimp reads it rightly: assimp (5.2) drops lines with numbers such as
-/// `.4` without a word, and takes blanks at the end of a line, and a byte order mark at the text's
-/// begin, for parts of names; and it takes several material libraries on a line for one. A face
-/// whose corners name texture coordinates or normals of a file that has none would be dropped as
-/// well.
+/// Rewrites an OBJ file's text so that assimp reads it correctly: assimp (5.2) silently drops lines
+/// with numbers such as `.4`, takes blanks at the end of a line, and a byte order mark at the start
+/// of the text, for parts of names, and takes several material libraries on a line for one. It
+/// would also drop faces whose corners refer to texture coordinates or normals that the file does
+/// not have.
 [[nodiscard]] std::string repairedObj(const std::string& text);
 
-/// The same of a material library.
+/// The same for a material library.
 [[nodiscard]] std::string repairedMtl(const std::string& text);
 
 /// The material libraries that an OBJ file names.

@@ -15,13 +15,13 @@ using Rgb = Eigen::Vector3f;  ///< linear red, green, blue
 
 Rgb decoded(const Rgb& encoded) { return encoded.unaryExpr(&linearComponent); }
 
-/// The pixel of a repeating picture that a place is on.
+/// The index of the pixel that a texture coordinate falls on, in a repeating picture.
 int texel(float place, int count) {
   const float part = place - std::floor(place);
   return std::clamp(static_cast<int>(part * static_cast<float>(count)), 0, count - 1);
 }
 
-/// One surface's vertices, as they come to be.
+/// Makes the vertices of one surface.
 class SurfaceVertices {
  public:
   SurfaceVertices(const Surface& surface, const Pose& X_OV)
@@ -72,8 +72,8 @@ class SurfaceVertices {
     return result;
   }
 
-  /// The picture's colour a little inside of the triangle: at the corner itself, a picture that is
-  /// shown once would show its other side's.
+  /// The picture's colour slightly inside the triangle: at the corner itself, a picture that is
+  /// shown once could give the colour of its opposite edge.
   [[nodiscard]] std::optional<Rgb> pictureColour(std::size_t triangle, std::size_t corner) const {
     if (!material_.texture || mesh_.texture_coordinates.size() != mesh_.positions.size()) {
       return std::nullopt;

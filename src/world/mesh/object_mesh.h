@@ -9,8 +9,8 @@
 namespace synthetic_dataset::world {
 
 /// All of an object's visuals as one mesh in the object's frame, without the vertices that no
-/// triangle uses. A vertex has the colour that it is drawn in under white light: its own, times the
-/// material's, times that of the diffuse picture there.
+/// triangle uses. The colour of a vertex is the one it is drawn in under white light: its own,
+/// multiplied by the material's and by that of the diffuse picture at that point.
 /// @param X_OL  of each link
 [[nodiscard]] ObjectModel objectModel(const std::vector<const Link*>& links,
                                       const std::vector<Pose>& X_OL);

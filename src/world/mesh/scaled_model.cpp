@@ -8,7 +8,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Scales the parts of one model; what its parts share is scaled once, and they share that.
+/// Scales the parts of one model; a mesh that several parts share is scaled once, and stays shared.
 class Scaling {
  public:
   explicit Scaling(double factor) : factor_(factor) {}
@@ -24,7 +24,7 @@ class Scaling {
       std::visit([&](auto& shape) { resize(shape); }, collision.shape);
     }
     if (!link.inertia) return;
-    // The density stays: mass is that times a volume, a moment mass times a squared length.
+    // The density is unchanged: mass scales as volume, and a moment as mass times a squared length.
     link.inertia->mass *= std::pow(factor_, 3);
     link.inertia->centre_of_mass_L *= factor_;
     link.inertia->moments_L *= std::pow(factor_, 5);

@@ -4,8 +4,8 @@
 
 namespace synthetic_dataset::world {
 
-/// A model that is larger or smaller in all directions about its own origin, and of the same
-/// material: its mass goes with the third power of the factor.
+/// A model scaled uniformly about its own origin, with unchanged density: its mass grows with the
+/// cube of the factor.
 /// @param factor  > 0
 [[nodiscard]] Model scaled(Model model, double factor);
 

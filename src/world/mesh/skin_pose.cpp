@@ -7,7 +7,7 @@ namespace {
 
 Eigen::Vector3d toEigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// A node's first keys.
+/// The transform given by a node's first keys.
 Eigen::Affine3d firstKeyOf(const aiNodeAnim& channel) {
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
   if (channel.mNumPositionKeys > 0) result.translate(toEigen(channel.mPositionKeys[0].mValue));

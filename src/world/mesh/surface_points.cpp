@@ -14,7 +14,7 @@ namespace {
 constexpr int kFewestSamples = 4096;
 constexpr int kSamplesAPoint = 64;
 
-/// A point that may be chosen, with its place in the model at rest.
+/// A point that may be chosen, with its position in the model at rest.
 struct Candidate {
   SurfacePoint point;
   Eigen::Vector3d p_M;
@@ -23,7 +23,7 @@ struct Candidate {
 struct Triangle {
   std::size_t link;
   Eigen::Vector3d corner_L, edge1_L, edge2_L;
-  double area_until;  ///< of all triangles up to and with this one
+  double area_until;  ///< of all triangles up to and including this one
 };
 
 double fraction(double value) { return value - std::floor(value); }
@@ -64,8 +64,9 @@ class Candidates {
     }
   }
 
-  /// Evenly along the summed areas, and in each triangle by the R2 sequence (Roberts 2018, "The
-  /// unreasonable effectiveness of quasirandom sequences"), folded into the triangle.
+  /// Adds points spread evenly over the summed areas, placed in each triangle by the R2 sequence
+  /// (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"), folded into the
+  /// triangle.
   void addSamples(int count) {
     if (!(area_ > 0.0)) return;
     constexpr double kPlastic = 1.32471795724474602596;  // the root of x^3 = x + 1
@@ -95,7 +96,7 @@ std::vector<SurfacePoint> farthestPoints(const std::vector<const Link*>& links, 
   const Candidates candidates(links, std::max(kFewestSamples, kSamplesAPoint * count));
   Eigen::AlignedBox3d bounds;
   for (const Candidate& each : candidates.all) bounds.extend(each.p_M);
-  // Squared, to the nearest chosen one; at first to the centre.
+  // Squared distances to the nearest chosen point; initially to the centre.
   std::vector<double> distances;
   for (const Candidate& each : candidates.all) {
     distances.push_back((each.p_M - bounds.center()).squaredNorm());

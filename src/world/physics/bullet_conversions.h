@@ -1,6 +1,7 @@
 #pragma once
 
-/// Between Eigen's double and Bullet's btScalar, which is float or double as the library was built.
+/// Conversions between Eigen's double and Bullet's btScalar, which is float or double depending on
+/// how the library was built.
 
 #include <Eigen/Geometry>
 

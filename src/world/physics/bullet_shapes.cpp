@@ -16,8 +16,8 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// How far within a convex shape its core begins: contacts shallower than this are found quickly
-/// and exactly, deeper ones by an iteration (EPA).
+/// How far below the surface of a convex shape its core begins: contacts shallower than this are
+/// found quickly and exactly, deeper ones by an iteration (EPA).
 constexpr double kMargin = 1e-3;         // [m]
 constexpr double kLargestMargin = 0.1;   // of a shape's smallest half size
 constexpr int kMostHullPoints = 256;     // Bullet looks at all of them for every contact

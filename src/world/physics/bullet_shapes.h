@@ -1,7 +1,7 @@
 #pragma once
 
-/// Collision geometry as Bullet takes it. Contacts lie where the shapes are drawn: what Bullet adds
-/// around a shape to find contacts early is taken off the shape before.
+/// Collision geometry in the form used by Bullet. Contacts lie on the surfaces as drawn: the margin
+/// that Bullet adds around a shape to find contacts early is subtracted from the shape first.
 
 #include <memory>
 
@@ -15,7 +15,7 @@ class btStridingMeshInterface;
 
 namespace synthetic_dataset::world {
 
-/// A shape, and what it points at.
+/// A shape and the data that it points to.
 struct BulletShape {
   BulletShape();
   BulletShape(BulletShape&&) noexcept;
@@ -24,26 +24,26 @@ struct BulletShape {
 
   std::shared_ptr<const Mesh> mesh;
   std::unique_ptr<btStridingMeshInterface> triangles;
-  std::unique_ptr<btCollisionShape> shape;  ///< none where the geometry is empty
+  std::unique_ptr<btCollisionShape> shape;  ///< null if the geometry is empty
 };
 
-/// A part of a body that moves: convex, and where in the body's frame B it lies.
+/// A convex part of a moving body, and its pose in the body's frame B.
 struct ConvexPart {
   BulletShape shape;
   Pose X_BP = Pose::Identity();
 };
 
-/// A shape for a body that never moves: planes are half spaces, meshes their very triangles.
-/// @throws Error where a size is not above 0
+/// A shape for a body that never moves: planes are half spaces, meshes keep their exact triangles.
+/// @throws Error if a size is not above 0
 [[nodiscard]] BulletShape makeFixedShape(const Shape& shape);
 
 /// A shape for a body that moves. A mesh becomes its convex hull (of at most 256 points), laid out
-/// in B's frame so that X_BP is the identity; a plane, which cannot move, becomes nothing.
-/// @param X_BC  of the shape's own frame
-/// @throws Error where a size is not above 0
+/// in B's frame so that X_BP is the identity; a plane, which cannot move, gives no shape.
+/// @param X_BC  pose of the shape's own frame
+/// @throws Error if a size is not above 0
 [[nodiscard]] ConvexPart makeConvexPart(const Shape& shape, const Pose& X_BC);
 
-/// The very triangles of a mesh, for contacts and rays.
+/// The exact triangles of a mesh, for contacts and rays.
 [[nodiscard]] BulletShape makeTriangles(std::shared_ptr<const Mesh> mesh);
 
 }  // namespace synthetic_dataset::world

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSolverIterations = 30;  // Bullet's 10 let stacks sink and creep
 
-/// How far before its axis a rolling thing is held up [m], about that of a rubber ball on a floor.
-/// Without it round props would roll for ever and never sleep.
+/// Rolling resistance: how far ahead of its axis a rolling body is supported [m], about that of a
+/// rubber ball on a floor. Without it, round props would roll for ever and never sleep.
 constexpr double kRollingResistance = 5e-4;
 
 const ContactSurface& surfaceOf(const btCollisionObject& object, int part) {
@@ -20,7 +20,7 @@ const ContactSurface& surfaceOf(const btCollisionObject& object, int part) {
   return surfaces[known ? static_cast<std::size_t>(part) : 0];
 }
 
-/// Lets the smaller friction and the smaller restitution of the two parts in contact count.
+/// Applies the smaller friction and the smaller restitution of the two parts in contact.
 void setSurfaces(btPersistentManifold& contacts) {
   for (int i = 0; i < contacts.getNumContacts(); ++i) {
     btManifoldPoint& point = contacts.getContactPoint(i);
@@ -35,7 +35,7 @@ void setSurfaces(btPersistentManifold& contacts) {
   }
 }
 
-/// The two differences that BulletWorld's description names.
+/// Implements the two differences from btDiscreteDynamicsWorld that BulletWorld describes.
 class SteppedWorld final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -64,9 +64,9 @@ BulletWorld::BulletWorld(const Eigen::Vector3d& gravity, const Eigen::Vector3d& 
   btContactSolverInfo& solver = world_->getSolverInfo();
   solver.m_numIterations = kSolverIterations;
   solver.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  // Bullet's vector units differ from processor to processor in the last bits.
+  // The results of Bullet's SIMD code differ between processors in the last bits.
   solver.m_solverMode &= ~SOLVER_SIMD;
-  // Overlaps are mended without making the bodies faster.
+  // Overlaps are resolved without making the bodies faster.
   solver.m_splitImpulse = 1;
   solver.m_splitImpulsePenetrationThreshold = 0;
 }
@@ -86,8 +86,9 @@ btRigidBody& BulletWorld::add(const btRigidBody::btRigidBodyConstructionInfo& in
 }
 
 void BulletWorld::put(btRigidBody& body, const std::optional<Pose>& X_WB) {
-  // Taking a body out of Bullet's world and back in changes the order of all bodies, and with it
-  // the bits of what they do. So it stays, below all that there is: props stop after 10 km.
+  // Taking a body out of Bullet's world and putting it back would change the order of all bodies,
+  // and with it the last bits of the results. So it stays there, below everything else: props stop
+  // after 10 km.
   static const Pose kOutOfReach = makePose({0, 0, -1e5}, Eigen::Quaterniond::Identity());
   body.setWorldTransform(toBulletWorld(X_WB.value_or(kOutOfReach)));
   body.setInterpolationWorldTransform(body.getWorldTransform());
@@ -95,7 +96,7 @@ void BulletWorld::put(btRigidBody& body, const std::optional<Pose>& X_WB) {
 }
 
 void BulletWorld::step(double step) {
-  world_->stepSimulation(static_cast<btScalar>(step), 0);  // 0: this step and no other
+  world_->stepSimulation(static_cast<btScalar>(step), 0);  // 0: exactly this one step
 }
 
 btTransform BulletWorld::toBulletWorld(const Pose& X_WB) const {

@@ -14,13 +14,13 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // [m]: far below what a contact can tell apart
+constexpr double kSamePlace = 1e-6;  // [m]: far below what contacts resolve
 
 std::string nameOf(const Model& model, const Collision& collision) {
   return "model '" + model.name + "': collision '" + collision.name + "'";
 }
 
-/// Calls `visit(link, collision)` for each collision of a model; notes what goes wrong in each.
+/// Calls `visit(link, collision)` for each collision of a model, and collects the errors of all.
 template <class Visit>
 void forEachCollision(const Model& model, const Visit& visit) {
   std::vector<std::string> errors;
@@ -40,7 +40,7 @@ bool isPlane(const Collision& collision) {
   return std::holds_alternative<PlaneShape>(collision.shape);
 }
 
-/// Whether a collision makes a part of a body that moves.
+/// Whether a collision gives a part of a moving body.
 bool hasConvexPart(const Collision& collision) {
   const auto* mesh = std::get_if<MeshShape>(&collision.shape);
   const bool empty = mesh != nullptr && (mesh->mesh == nullptr || mesh->mesh->positions.empty());
@@ -52,7 +52,7 @@ bool isDiagonal(const Eigen::Matrix3d& moments) {
   return (moments - diagonal).cwiseAbs().maxCoeff() <= 1e-6 * moments.trace();
 }
 
-/// The pose of the model's only collision, if it has but one.
+/// The pose of the model's only collision that can move, if it has exactly one.
 std::optional<Pose> onlyCollision(const Model& model) {
   std::optional<Pose> only;
   for (const Link& link : model.links) {
@@ -65,8 +65,8 @@ std::optional<Pose> onlyCollision(const Model& model) {
   return only;
 }
 
-/// A frame at the centre of mass along the principal axes. Where the model's own axes, or those of
-/// its only collision, will do, they are taken: the latter saves Bullet the compound shape.
+/// A frame at the centre of mass along the principal axes. If these are the model's own axes, or
+/// those of its only collision, they are used: the latter saves Bullet the compound shape.
 Pose principalFrame(const Model& model, const MassProperties& mass) {
   Pose X_MB = Pose::Identity();
   X_MB.translation() = mass.centre_F;

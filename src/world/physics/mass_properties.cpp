@@ -83,7 +83,7 @@ MassProperties solidOf(const MeshShape& shape) {
   }
   const MassProperties box = boxAround(points);
   const MassProperties hull = polyhedron(convexHull(points));
-  constexpr double kFlat = 1e-3;  // of the box's volume: a leaf in space, not a solid
+  constexpr double kFlat = 1e-3;  // of the box's volume; a hull below it is a sheet, not a solid
   return hull.mass > kFlat * box.mass ? hull : box;
 }
 

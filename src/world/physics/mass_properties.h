@@ -1,6 +1,6 @@
 #pragma once
 
-/// How heavy things are and how their mass is spread, in any frame F.
+/// Mass, centre of mass and moments of inertia, in any frame F.
 
 #include <vector>
 
@@ -18,17 +18,18 @@ struct MassProperties {
   Eigen::Matrix3d moments_F = Eigen::Matrix3d::Zero();
 };
 
-/// The same body seen from frame A, in which its own frame B lies at X_AB.
+/// The same body expressed in frame A, in which its own frame B has the pose X_AB.
 [[nodiscard]] MassProperties seenFrom(const Pose& X_AB, const MassProperties& body_B);
 
-/// Several bodies held together, by the parallel axis theorem.
+/// Several bodies joined rigidly, by the parallel axis theorem.
 [[nodiscard]] MassProperties combined(const std::vector<MassProperties>& bodies_F);
 
-/// A solid of density 1 kg/m^3: of a mesh its convex hull; an infinite plane has no mass.
+/// A solid of density 1 kg/m^3; a mesh counts as its convex hull, and an infinite plane has no
+/// mass.
 [[nodiscard]] MassProperties solid(const Shape& shape);
 
-/// A link in its own frame: its inertia, or, where the file gives none, its collision shapes as one
-/// solid of 1 kg. Without either, nothing.
+/// A link in its own frame: its inertia or, if the file gives none, its collision shapes as one
+/// solid of 1 kg. All zero without either.
 [[nodiscard]] MassProperties massOf(const Link& link);
 
 /// All links of a model, in the model's frame.

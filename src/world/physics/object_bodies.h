@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::world {
 
-/// A model that is moved from outside: as a whole, and, link by link, where it is articulated.
+/// A model whose motion is given from outside: as a whole and, if it is articulated, link by link.
 struct MovingModel {
   MovingModel(Model model_in, std::vector<std::size_t> driven_links_in = {})
       : model(std::move(model_in)), driven_links(std::move(driven_links_in)) {}
@@ -17,23 +17,23 @@ struct MovingModel {
   std::vector<std::size_t> driven_links;  ///< indices in the model's links, each once
 };
 
-/// An object: one model, or several, its variants, of which it has one at a time; or a model of the
-/// world's own, which stands there or is moved by physics as any other.
+/// An object: one or more models, its variants, of which it is one at a time; or one of the world's
+/// own models, which is static or moved by physics like any other.
 struct MovingObject {
   MovingObject(Model model, std::vector<std::size_t> driven_links = {}) {
     variants.emplace_back(std::move(model), std::move(driven_links));
   }
   explicit MovingObject(std::vector<MovingModel> variants_in) : variants(std::move(variants_in)) {}
 
-  /// @param model  the name of one of the description's
+  /// @param model  the name of a model of the description
   static MovingObject ofWorld(std::string model) {
     MovingObject object(std::vector<MovingModel>{});
     object.of_world = std::move(model);
     return object;
   }
 
-  std::vector<MovingModel> variants;  ///< at least one, unless it is of the world
-  std::string of_world;               ///< the name of its model there; else empty
+  std::vector<MovingModel> variants;  ///< at least one, unless it is one of the world's own models
+  std::string of_world;               ///< the name of that model; else empty
 };
 
 /// Where an object is.
@@ -45,15 +45,16 @@ struct ObjectPose {
   std::vector<Pose> X_WL;  ///< of the driven links, in their order
 };
 
-/// An object taken apart into what moves as one piece: first all that no driven link carries, in
-/// the object's frame, then each driven link with what hangs on it by way of parents, in that
-/// link's frame.
+/// An object divided into rigid bodies: first everything that no driven link carries, in the
+/// object's frame; then each driven link with everything that hangs on it without being driven
+/// itself, in that link's frame.
 class ObjectBodies {
  public:
   /// @throws ErrorList for driven links that the model does not have
   explicit ObjectBodies(const MovingModel& moving);
 
-  /// One a body: its links, their poses X_ML in the body's frame. All bear the object's name.
+  /// One model per body, with its links; their X_ML are poses in the body's frame. All have the
+  /// object's name.
   [[nodiscard]] std::vector<Model> models(const Model& model) const;
 
   /// X_WB of each body.

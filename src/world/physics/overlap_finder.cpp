@@ -14,7 +14,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// A shape where it stands.
+/// A shape at its pose.
 struct Placed {
   btCollisionShape* shape = nullptr;
   Pose X_WS = Pose::Identity();
@@ -50,7 +50,7 @@ struct DeepestContact final : btCollisionWorld::ContactResultCallback {
 }  // namespace
 
 struct OverlapFinder::Impl {
-  /// How deep one shape is in the other; 0 where they are apart.
+  /// How deep one shape is in the other; 0 if they are apart.
   [[nodiscard]] double depth(const Placed& a, const Placed& b) const;
 
   [[nodiscard]] std::optional<std::string> obstacle(const Placed& body,
@@ -68,7 +68,7 @@ struct OverlapFinder::Impl {
 
 double OverlapFinder::Impl::depth(const Placed& a, const Placed& b) const {
   if (!a.bounds_W.intersects(b.bounds_W)) return 0.0;
-  // Seen from a: numbers stay small however far from W's origin the two are.
+  // Relative to a, so that numbers stay small however far from W's origin the two are.
   Pose X_AB = b.X_WS;
   X_AB.translation() -= a.X_WS.translation();
   Pose X_AA = a.X_WS;

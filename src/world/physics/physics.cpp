@@ -16,21 +16,21 @@ namespace {
 constexpr double kSleepSpeed = 0.01;  // [m/s]
 constexpr double kSleepSpin = 0.02;   // [rad/s]
 
-/// A prop counts as moved when it is this far from where it was last seen: resting contacts tremble
-/// by less, and nobody sees it.
+/// A prop counts as moved when it is this far from where it was last seen: resting contacts jitter
+/// by less, which nobody sees.
 constexpr double kVisibleShift = 1e-5;  // [m]
 constexpr double kVisibleTurn = 2e-5;   // [rad]
 
 /// Props that have fallen off the world stop here; they would never come to rest.
 constexpr double kLostDistance = 1e4;  // [m]
 
-/// An object that is faster was moved at one stroke (a jump in TF): it pushes nothing.
+/// An object that is faster has jumped (in TF): it pushes nothing.
 constexpr double kJumpSpeed = 100.0;  // [m/s]
 constexpr double kJumpSpin = 100.0;   // [rad/s]
-constexpr double kStillSpeed = 1e-6;  // [m/s], [rad/s]: noise of an object that stands
+constexpr double kStillSpeed = 1e-6;  // [m/s], [rad/s]: noise of an object at rest
 
-/// Share of a prop's smallest half size: the sphere that is swept along its path in a step that
-/// moves it farther than that, so that small fast props do not pass through thin walls.
+/// Radius, as a share of a prop's smallest half size, of the sphere that is swept along its path in
+/// a step that moves it farther than that, so that small fast props do not pass through thin walls.
 constexpr double kSweptShare = 0.5;
 
 struct Velocity {
@@ -38,7 +38,7 @@ struct Velocity {
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 };
 
-/// The steady velocity that leads from one pose to the other.
+/// The constant velocity that leads from one pose to the other; zero for a jump.
 Velocity velocityBetween(const Pose& X_WA, const Pose& X_WB, double seconds) {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(X_WB.linear() * X_WA.linear().transpose()));
   Velocity velocity;
@@ -86,13 +86,13 @@ struct Physics::Impl {
   struct Prop {
     StartingProp given;
     btRigidBody* body = nullptr;
-    btTransform start;       ///< X_WB, as Bullet counts
+    btTransform start;       ///< X_WB in Bullet's coordinates
     btTransform seen;        ///< X_WB when it last moved visibly
     bool has_moved = false;  ///< since the start
     bool moves = false;      ///< in the last step
   };
   struct Object {                 // one body of an object
-    btRigidBody* body = nullptr;  ///< none for an object without collisions
+    btRigidBody* body = nullptr;  ///< null for an object without collisions
     std::optional<Pose> X_WO;
   };
 

@@ -14,7 +14,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// One mesh of one visual where it stands.
+/// One mesh of one visual at its pose.
 struct Target {
   std::size_t link = 0;
   Pose X_LV = Pose::Identity();
@@ -93,7 +93,7 @@ class NearestTriangle final : public btCollisionWorld::ClosestRayResultCallback 
 struct RayCaster::Impl {
   void add(const Surface& surface, const Pose& X_LV, std::size_t link);
 
-  std::map<const Mesh*, BulletShape> shapes;  ///< looked up only: the order does not matter
+  std::map<const Mesh*, BulletShape> shapes;  ///< only used for look-up: its order does not matter
   std::vector<Target> targets;
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};

@@ -11,15 +11,15 @@
 
 namespace synthetic_dataset::world {
 
-/// What a ray meets first.
+/// The first hit of a ray.
 struct RayHit {
-  std::size_t link = 0;      ///< index in the links given
+  std::size_t link = 0;      ///< index into the given links
   double distance = 0.0;     ///< from the ray's origin [m]
   Eigen::Vector3d normal_W;  ///< of the triangle, unit length, towards the ray's origin
 };
 
-/// Casts rays against the triangles of the links' visuals: what a camera would see, found without
-/// drawing anything. Triangles are hit from both sides.
+/// Casts rays against the triangles of the links' visuals: finds what a camera would see without
+/// rendering anything. Triangles are hit from both sides.
 ///
 /// Bullet finds the triangles near the ray; whether it passes through them, and where, is computed
 /// in double precision.
@@ -35,7 +35,7 @@ class RayCaster {
   /// Moves the links; X_WL of each, in the same order.
   void setLinkPoses(const std::vector<Pose>& X_WL);
 
-  /// The nearest triangle within `range` [m] of the origin p_W, in the direction given (of any
+  /// The nearest triangle within `range` [m] of the origin p_W, in the given direction (of any
   /// length above 0).
   [[nodiscard]] std::optional<RayHit> cast(const Eigen::Vector3d& p_W,
                                            const Eigen::Vector3d& direction_W, double range) const;

@@ -11,7 +11,7 @@
 
 namespace synthetic_dataset::world {
 
-/// An element of a file, or none: then it has neither text nor children.
+/// An XML element of a file, or none, which has neither text nor children.
 class Element {
  public:
   Element() = default;
@@ -24,7 +24,7 @@ class Element {
   /// Its own text without the blanks around it, comments left out.
   [[nodiscard]] std::string text() const;
 
-  /// An empty text where there is none.
+  /// An empty text if there is none.
   [[nodiscard]] std::string attribute(const char* name) const;
   [[nodiscard]] bool hasAttribute(const char* name) const;
 
@@ -36,16 +36,15 @@ class Element {
   [[nodiscard]] std::vector<Element> children(const char* name) const;
   [[nodiscard]] std::vector<Element> children() const;
 
-  /// What a value is called by SDF: the text of a child element. SDF 1.0 wrote it as an attribute
-  /// of this element, or as one of the child's (`rgba`, `xyz`, `pose`, `enabled`, `angle`,
-  /// `link`).
-  /// @return nothing where the file does not say
+  /// A value in SDF's sense: the text of a child element. SDF 1.0 wrote it as an attribute of this
+  /// element, or of the child (`rgba`, `xyz`, `pose`, `enabled`, `angle`, `link`).
+  /// @return nothing if the file does not give it
   [[nodiscard]] std::optional<std::string> value(const char* name) const;
 
   /// 0 for none.
   [[nodiscard]] int line() const { return xml_ != nullptr ? xml_->GetLineNum() : 0; }
 
-  /// The line of a child, or this one's where it has none of that name.
+  /// The line of a child, or of this element if it has no child of that name.
   [[nodiscard]] int lineOf(const char* name) const;
 
   [[nodiscard]] const SdfFile& file() const { return *file_; }

@@ -11,7 +11,7 @@ namespace synthetic_dataset::world {
 /// @param filename, name  the attributes of SDF's <plugin>
 [[nodiscard]] bool isPluginOfGz(const std::string& filename, const std::string& name);
 
-/// The number that gz-sim's label plugin gives to what it stands in, a model or a visual.
+/// The label that gz-sim's label plugin gives to the model or visual that contains it.
 [[nodiscard]] std::optional<int> readLabel(const Element& element);
 
 }  // namespace synthetic_dataset::world

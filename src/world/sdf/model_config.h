@@ -4,10 +4,10 @@
 
 namespace synthetic_dataset::world {
 
-/// The model file of a model folder: of those that its model.config (or manifest.xml, of old) lists
-/// and that are there, the one with the highest version of SDF that is known here, else the
-/// lowest of those that it does not.
-/// @throws Error if the folder has no model.config, or that lists no file that there is
+/// The model file of a model folder: of the files that its model.config (formerly manifest.xml)
+/// lists and that exist, the one with the highest version of SDF that this program knows, else the
+/// one with the lowest version that it does not.
+/// @throws Error if the folder has no model.config, or if that lists no file that exists
 [[nodiscard]] std::filesystem::path modelFileOf(const std::filesystem::path& folder);
 
 }  // namespace synthetic_dataset::world

@@ -5,7 +5,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-const std::string kOwn;  ///< the name of the model's or the world's own frame: none
+const std::string kOwn;  ///< the name of the model's or the world's own frame: empty
 
 void addFrame(const Element& element, const std::string& fallback, ModelSource& source,
               SdfReading& reading) {
@@ -24,7 +24,7 @@ void addOwnFrames(ModelSource& source, SdfReading& reading) {
   }
 }
 
-/// A URDF says what its links are called only when it has been read.
+/// The names of a URDF's links are known only when it has been read.
 void readUrdfSource(ModelSource& source, SdfReading& reading) {
   const SdfFile& file = source.element.file();
   source.urdf = std::make_shared<UrdfModel>(reading.readUrdf(file, reading));
@@ -71,7 +71,7 @@ Pose SdfFrames::poseOf(const std::string& name, SdfReading& reading) {
 
 Pose SdfFrames::resolve(const RelativePose& pose, const std::string& fallback,
                         const SourceLocation& location, SdfReading& reading) {
-  // Names come before the reserved words: a saved world may have a link called "world".
+  // Names take precedence over the reserved words: a saved world may have a link called "world".
   if (knows(pose.frame) || (isOwn(pose.frame) && !pose.frame.empty())) {
     return poseOf(pose.frame, reading) * pose.pose;
   }

@@ -14,29 +14,29 @@
 
 namespace synthetic_dataset::world {
 
-/// The names in one model or world to which poses may be relative: links, joints, frames, models
-/// within it, and theirs as "model::name" (SDF specification, "Pose frame semantics"). F is the
-/// frame of the model or world itself.
+/// The names in one model or world to which poses may be relative: links, joints, frames and models
+/// in it, and the names in those models as "model::name" (SDF specification, "Pose frame
+/// semantics"). F is the frame of the model or world itself.
 class SdfFrames {
  public:
-  /// Adds a name, unless it is empty, or known: then the first one counts.
-  /// @param fallback  the frame of a pose that names none, or an unknown one; empty for F
+  /// Adds a name, unless it is empty or known already: the first one counts then.
+  /// @param fallback  the frame for a pose that names none, or an unknown one; empty for F
   void add(const std::string& name, const RelativePose& pose, const std::string& fallback,
            const SourceLocation& location);
 
   /// Adds the names of a model within this one.
-  /// @param name  of that model, which has been added
-  /// @param prefix  of its names: "name::", or empty where it is merged
+  /// @param name  that model's name, which has been added already
+  /// @param prefix  prefix for its names: "name::", or empty if it is merged
   void addInner(const std::string& name, const std::string& prefix, SdfFrames& inner,
                 SdfReading& reading);
 
   [[nodiscard]] bool knows(const std::string& name) const { return frames_.count(name) > 0; }
 
-  /// The pose of a name in F; of the empty one, F itself. A circle is cut where it closes, with a
-  /// note.
+  /// The pose in F of a named frame; the empty name is F itself. A cycle is broken where it closes,
+  /// with a note.
   [[nodiscard]] Pose poseOf(const std::string& name, SdfReading& reading);
 
-  /// A pose in F. A frame that is not known is noted, and the fallback taken.
+  /// Converts a pose to F. An unknown frame is noted, and replaced by the fallback.
   [[nodiscard]] Pose resolve(const RelativePose& pose, const std::string& fallback,
                              const SourceLocation& location, SdfReading& reading);
 
@@ -54,7 +54,7 @@ class SdfFrames {
   std::map<std::string, Frame> frames_;
 };
 
-/// A model as its file has it, with what an `<include>` says instead of the file.
+/// A model as its file describes it, with the overrides of an `<include>`.
 struct ModelSource {
   enum class Kind { kModel, kUrdf, kLight, kActor, kNothing };
 
@@ -62,21 +62,21 @@ struct ModelSource {
   Element element;  ///< `<model>`, `<light>`, `<actor>`, or the root of a URDF
   std::string name;
   RelativePose pose;
-  std::string placement_frame;  ///< whose pose `pose` is; empty: the model's own frame
+  std::string placement_frame;  ///< the frame that `pose` places; empty: the model's own frame
   bool is_static = false;
-  std::optional<int> label;         ///< that gz-sim's label plugin gives it
-  bool merges = false;              ///< what is in it belongs to the model around it
+  std::optional<int> label;         ///< given by gz-sim's label plugin
+  bool merges = false;              ///< its contents become part of the model around it
   bool has_gaps = false;            ///< a model in it is missing, which has been reported
-  std::vector<ModelSource> models;  ///< those within it, in the order of the file
+  std::vector<ModelSource> models;  ///< the models in it, in the order of the file
   SourceLocation location{""};
   SdfFrames frames;                       ///< the names in it; filled by fillFrames
   std::shared_ptr<const UrdfModel> urdf;  ///< what a URDF holds; filled by fillFrames
 };
 
-/// Where a model stands, by its own frame.
+/// The pose of a model's own frame, whichever frame its placement_frame names.
 [[nodiscard]] RelativePose placed(ModelSource& source, SdfReading& reading);
 
-/// Fills the frames of a model and of those within it.
+/// Fills the frames of a model and of the models in it.
 void fillFrames(ModelSource& source, SdfReading& reading);
 
 }  // namespace synthetic_dataset::world

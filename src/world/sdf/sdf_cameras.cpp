@@ -11,8 +11,9 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// fx = width / (2 tan(hfov / 2)) with square pixels, as Gazebo's camera has it. Its optical axis
-/// meets the middle of the image, which is (width - 1) / 2 where pixel centres are whole.
+/// fx = width / (2 tan(hfov / 2)) with square pixels, as for Gazebo's camera. The optical axis
+/// passes through the middle of the image, which is (width - 1) / 2 if pixel centres have whole
+/// coordinates.
 Intrinsics fromFieldOfView(const CameraImage& image) {
   const double angle = image.field_of_view;
   if (!(angle > 0.0 && angle < 3.14159)) {
@@ -57,14 +58,14 @@ class CameraReader {
     return readNumber(parent, name, fallback, location_, reading_);
   }
 
-  /// @param usual  SDF's where a <clip> leaves it out [m]
-  /// @param unbounded  where there is no <clip> [m]
+  /// @param usual  SDF's default, for a <clip> that omits it [m]
+  /// @param unbounded  the value without a <clip> [m]
   [[nodiscard]] double clip(const char* name, double usual, double unbounded) const {
     const Element clip = camera_.child("clip");
     return clip ? number(clip, name, usual) : unbounded;
   }
 
-  /// Intrinsics in the file are those that camera_info is to say.
+  /// Intrinsics given in the file are those that camera_info should contain.
   [[nodiscard]] Intrinsics intrinsics() const {
     const Element given = camera_.child("lens").child("intrinsics");
     if (!given) return fromFieldOfView(image_);

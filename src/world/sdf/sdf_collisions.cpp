@@ -11,7 +11,8 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// What physics is given for each kind of geometry; those that it does not know, as meshes.
+/// Makes the shape for physics from each kind of geometry; kinds that physics does not know become
+/// meshes.
 struct ShapeMaker {
   SdfReading& reading;
 
@@ -33,7 +34,7 @@ struct ShapeMaker {
   Shape operator()(const WallMap& map) const { return MeshShape{wallMesh(map)}; }
 };
 
-/// Gazebo, too, takes a friction below 0 for none given.
+/// Replaces a negative value by the fallback. Gazebo, too, ignores a friction below 0.
 double atLeastZero(double value, double fallback, const char* name, const SourceLocation& location,
                    SdfReading& reading) {
   if (value >= 0.0) return value;

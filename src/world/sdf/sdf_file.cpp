@@ -39,7 +39,7 @@ void readRoot(SdfFile& file) {
              "; it is read as version 1.6";
 }
 
-/// Looks for plugins of gz-sim's.
+/// Looks for plugins of gz-sim.
 class GzPluginSearch : public tinyxml2::XMLVisitor {
  public:
   bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute*) override {
@@ -61,8 +61,9 @@ bool hasPluginOfGz(const tinyxml2::XMLDocument& document) {
   return search.found;
 }
 
-/// What a file is that a program has to expand first: "xacro's"; nothing where it is none.
-/// @param text  of one of its elements or attributes
+/// Whose template a file is, if a program has to expand it first: "xacro's"; null if it is not a
+/// template.
+/// @param text  of one of the file's elements or attributes
 const char* templateOf(const std::string& text) {
   if (text.find("${") != std::string::npos) return "xacro's";
   const bool is_jinjas =
@@ -70,13 +71,14 @@ const char* templateOf(const std::string& text) {
   return is_jinjas ? "Jinja's" : nullptr;
 }
 
-/// Looks for what is left of a template, outside of plugins, whose settings may hold anything.
+/// Looks for unexpanded parts of a template outside of plugins, whose settings may contain
+/// anything.
 class TemplateSearch : public tinyxml2::XMLVisitor {
  public:
   bool VisitEnter(const tinyxml2::XMLElement& element,
                   const tinyxml2::XMLAttribute* attribute) override {
     const std::string name = element.Name();
-    // Definitions that nothing uses may stay in a world, as Gazebo passes over them.
+    // Definitions that nothing uses may stay in a world, as Gazebo ignores them.
     const bool defines = name == "xacro:arg" || name == "xacro:property";
     if (!defines && name.rfind("xacro:", 0) == 0) take("xacro's", name, element.GetLineNum());
     if (defines) return false;
@@ -102,7 +104,7 @@ class TemplateSearch : public tinyxml2::XMLVisitor {
   }
 };
 
-/// Names a template of ERB (`<% %>`), which is no XML.
+/// The error for an ERB template (`<% %>`), which is not XML; empty for other texts.
 std::string erbFault(const std::string& text) {
   const std::size_t at = text.find("<%");
   if (at == std::string::npos) return "";

@@ -13,7 +13,7 @@
 
 namespace synthetic_dataset::world {
 
-/// SDF's version: 1 and 6 of "1.6".
+/// An SDF version: 1 and 6 for "1.6".
 using SdfVersion = std::pair<long, long>;
 
 /// The newest version whose elements this program knows.
@@ -22,34 +22,32 @@ inline constexpr SdfVersion kNewestSdfVersion{1, 12};
 /// Whether a text is a version: "1.6".
 [[nodiscard]] bool isSdfVersion(const std::string& text);
 
-/// @param text  may be null: 0, 0
+/// @param text  null gives 0, 0
 [[nodiscard]] SdfVersion parseSdfVersion(const char* text);
 
-/// A parsed file of SDF or URDF.
+/// A parsed SDF or URDF file.
 struct SdfFile {
-  std::filesystem::path path;  ///< or a name for messages, of what is in no file
-  std::string text;  ///< of a URDF file alone, of which parts are resolved before it is read
+  std::filesystem::path path;  ///< or a name for messages, of a text that is in no file
+  std::string text;  ///< only of a URDF file, parts of which are resolved before it is read
   tinyxml2::XMLDocument document;
-  SdfVersion version{1, 6};        ///< of the root; none is taken for 1.6
+  SdfVersion version{1, 6};        ///< of the root; 1.6 if it has none
   std::optional<std::string> odd;  ///< what is odd about the root: "line 2: <sdf> has no version"
   bool is_urdf = false;
-  bool is_of_gz = false;  ///< it names a plugin of gz-sim's
+  bool is_of_gz = false;  ///< it names a plugin of gz-sim
 
   [[nodiscard]] const tinyxml2::XMLElement& root() const { return *document.RootElement(); }
 };
 
-/// Parses a text, repaired where need be, into the file's document.
-/// @throws Error if it is no XML even then
+/// Parses a text, repaired if necessary, into the file's document.
+/// @throws Error if it is not XML even then
 void readXml(const std::string& text, SdfFile& file);
 
 /// Parses each file once.
 class SdfFiles {
  public:
   /// @throws Error if it is not a regular file, not XML even when repaired, or neither SDF nor
-  /// URDF:
-  ///     "world.sdf: line 2: cannot be read as XML (...)"
-  ///     A template that is left as it is says so; one of xacro's or Jinja's is read as what is
-  ///     made of it.
+  ///     URDF: "world.sdf: line 2: cannot be read as XML (...)". For a template that was not
+  ///     expanded, the error says so; xacro and Jinja templates are read in expanded form.
   [[nodiscard]] const SdfFile& read(const std::filesystem::path& file);
 
   /// Parses a text that is in no file.
@@ -62,7 +60,7 @@ class SdfFiles {
                                     const std::function<std::string()>& text);
 
   std::map<std::string, std::variant<std::unique_ptr<SdfFile>, std::string>>
-      files_;  ///< or why not
+      files_;  ///< or why it cannot be read
 };
 
 }  // namespace synthetic_dataset::world

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Reads one geometry. What is wrong with it is thrown as an Error, and costs its owner alone.
+/// Reads one geometry. A fault in it is thrown as an Error, which affects only its owner.
 class GeometryReader {
  public:
   GeometryReader(const Element& geometry, const Eigen::Vector3d& scale,
@@ -47,7 +47,7 @@ class GeometryReader {
             requireSize(name, result.z())};
   }
 
-  /// What is round takes the larger of two scales, as in Gazebo.
+  /// A radius is scaled by the larger of two scales, as in Gazebo.
   double scaledRadius(const std::string& name, double radius) {
     return requireSize(name, radius * std::max(scale_.x(), scale_.y()));
   }
@@ -89,7 +89,7 @@ class GeometryReader {
                       {planeSize(size[0] * scale_.x()), planeSize(size[1] * scale_.y())}};
   }
 
-  /// Planes as good as endless are drawn as far as anybody sees.
+  /// Practically endless planes are drawn as far as anybody can see.
   double planeSize(double value) {
     constexpr double kEndless = 1e5;  // [m]
     if (!std::isfinite(value) || value <= kEndless) return requireSize("plane size", value);
@@ -109,7 +109,7 @@ class GeometryReader {
                   shortText(request.scale.y()) + " " + shortText(request.scale.z()) +
                   "; none of the three may be 0 or beyond 1e6");
     }
-    // SDF 1.0 says `filename`.
+    // SDF 1.0 writes `filename`.
     const char* name = mesh.value("uri") ? "uri" : "filename";
     const auto file = findFile("mesh", readText(mesh, name), mesh, location_, reading_);
     if (!file) return std::nullopt;

@@ -20,9 +20,9 @@ struct PlanePatch {
   Eigen::Vector2d size;  ///< [m]
 };
 
-struct Capsule {  ///< about z, centred
+struct Capsule {  ///< axis along z, centred at the origin
   double radius;
-  double length;  ///< of the cylinder alone
+  double length;  ///< of the cylinder only
 };
 
 struct Ellipsoid {
@@ -33,18 +33,18 @@ struct Ellipsoid {
 using Geometry = std::variant<BoxShape, SphereShape, CylinderShape, PlanePatch, Capsule, Ellipsoid,
                               MeshRequest, Extrusion, Heightmap, WallMap>;
 
-/// @param owner  of the `<geometry>`
-/// @param scale  how much larger than the file says, by axis: of a saved world's `<state>`
+/// @param owner  the parent of the `<geometry>`
+/// @param scale  factors on the sizes in the file, by axis, from a saved world's `<state>`
 /// @param location  the owner's
-/// @return nothing for one that cannot be understood, for a kind that is left out (both noted),
-///     for one whose file is missing (reported), and for none at all
+/// @return nothing for a geometry that cannot be understood or whose kind is not supported (both
+///     noted), for one whose file is missing (reported), or if there is none at all
 [[nodiscard]] std::optional<Geometry> readGeometry(const Element& owner,
                                                    const Eigen::Vector3d& scale,
                                                    const SourceLocation& location,
                                                    SdfReading& reading);
 
-/// Lists the mesh of a geometry, if it is one.
-/// @param with_pictures  those of its own materials are wanted, too
+/// Adds the mesh of a geometry, if it is one, to a survey.
+/// @param with_pictures  the pictures of its own materials are needed, too
 void surveyMesh(const Geometry& geometry, bool with_pictures, SdfSurvey& survey);
 
 }  // namespace synthetic_dataset::world

@@ -62,18 +62,18 @@ std::optional<std::string> builtInModel(const std::string& name) {
 
 namespace fs = std::filesystem;
 
-/// More is taken for files that multiply one another.
+/// Anything beyond these limits is taken for files that multiply one another.
 constexpr std::size_t kMostIncludes = 20000;
 constexpr std::size_t kDeepestInclude = 30;
 
-/// The one path of a file that may have several.
+/// The canonical path of a file, which several paths may lead to.
 fs::path identity(const fs::path& file) {
   std::error_code error;
   const fs::path result = fs::canonical(file, error);
   return error ? file : result;
 }
 
-/// The name by which a URI means a model that needs no files, or an empty string.
+/// The name of the built-in model that a URI may refer to, or an empty string.
 std::string builtInName(const std::string& uri) {
   const std::string scheme = "model://";
   if (startsWith(uri, scheme)) {

@@ -9,17 +9,18 @@
 
 namespace synthetic_dataset::world {
 
-/// Follows `<include>`s: finds the files and puts what they hold into the tree of models.
+/// Follows `<include>`s: finds the files and adds their contents to the tree of models.
 class SdfIncludes {
  public:
   explicit SdfIncludes(SdfReading& reading) : reading_(reading) {}
 
-  /// A `<model>` with the models in it and those that it includes.
-  /// @param outer  the location of what holds it
+  /// A `<model>` with the models that it contains or includes.
+  /// @param outer  the location of the enclosing element
   [[nodiscard]] ModelSource modelOf(const Element& model, const SourceLocation& outer);
 
-  /// What an `<include>` means. What is missing, no SDF, or includes itself is reported, and found
-  /// to be Kind::kNothing: its name and pose are known still, as others may be relative to it.
+  /// The model that an `<include>` refers to. One that is missing, not SDF, or includes itself is
+  /// reported and becomes a Kind::kNothing, whose name and pose are still known, as other poses may
+  /// be relative to it.
   [[nodiscard]] ModelSource followed(const Element& include, const SourceLocation& outer);
 
  private:
@@ -30,8 +31,8 @@ class SdfIncludes {
                       ModelSource& source) const;
 
   SdfReading& reading_;
-  std::vector<std::filesystem::path> chain_;  ///< of the files that are being followed
-  std::size_t count_ = 0;                     ///< of all includes that were followed
+  std::vector<std::filesystem::path> chain_;  ///< the files that are being followed
+  std::size_t count_ = 0;                     ///< of all includes followed so far
 };
 
 }  // namespace synthetic_dataset::world

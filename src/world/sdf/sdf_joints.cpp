@@ -9,7 +9,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Nothing unless it is a link; the world is not.
+/// Nothing unless there is a link of this name; the world is not a link.
 std::optional<std::size_t> findLink(const std::vector<Link>& links, const std::string& name) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (links[i].name == name) return i;
@@ -17,7 +17,7 @@ std::optional<std::size_t> findLink(const std::vector<Link>& links, const std::s
   return std::nullopt;
 }
 
-/// The link that stands for a whole model: its first.
+/// The link that represents a whole model: its first.
 std::optional<std::size_t> firstLinkOf(const std::vector<Link>& links, const std::string& model) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (startsWith(links[i].name, model + "::")) return i;
@@ -25,7 +25,7 @@ std::optional<std::size_t> firstLinkOf(const std::vector<Link>& links, const std
   return std::nullopt;
 }
 
-bool hangsOn(const std::vector<Link>& links, std::size_t link, std::size_t ancestor) {
+bool isDescendantOf(const std::vector<Link>& links, std::size_t link, std::size_t ancestor) {
   for (std::optional<std::size_t> at = link; at; at = links[*at].parent) {
     if (*at == ancestor) return true;
   }
@@ -58,7 +58,7 @@ class JointReader {
       noteUnknown(joint, child ? parent_name : child_name);
       return;
     }
-    if (links_[*child].parent || hangsOn(links_, *parent, *child)) return;
+    if (links_[*child].parent || isDescendantOf(links_, *parent, *child)) return;
     links_[*child].parent = parent;
     if (joint.attribute("type") != "fixed") {
       links_[*child].moving_joint = prefix_ + joint.attribute("name");
@@ -73,9 +73,10 @@ class JointReader {
                                   "the joint is left out");
   }
 
-  /// A joint names links, or frames that are attached to links, or models.
+  /// The link that a joint means by a name, which may be that of a link, of a frame attached to
+  /// one, or of a model.
   [[nodiscard]] std::optional<std::size_t> linkOf(std::string name) const {
-    constexpr int kLongestChain = 100;  // of frames; there may be a circle
+    constexpr int kLongestChain = 100;  // of frames; there may be a cycle
     for (int i = 0; i < kLongestChain; ++i) {
       if (const auto link = findLink(links_, prefix_ + name)) return link;
       const std::string attached_to = frameNamed(name).attribute("attached_to");

@@ -7,11 +7,11 @@
 
 namespace synthetic_dataset::world {
 
-/// Hangs the links of a model on one another as its joints say. A link has one parent; where joints
-/// close a loop, the first of them counts.
-/// @param source  its own joints alone are read
-/// @param prefix  of its links in `model`: "" or "child::"
-/// @return whether a joint holds one of the links to the world
+/// Connects the links of a model as its joints say. A link has one parent; if joints close a loop,
+/// the first of them counts.
+/// @param source  only its own joints are read
+/// @param prefix  of its links' names in `model`: "" or "child::"
+/// @return whether a joint attaches one of the links to the world
 bool readJoints(const ModelSource& source, const std::string& prefix, SdfReading& reading,
                 Model& model);
 

@@ -25,10 +25,11 @@ struct Mapping {
     return fun == "sin" ? std::sin(angle) : angle;
   }
 
-  /// Up to where the function grows [rad].
+  /// The angle up to which the function increases [rad].
   [[nodiscard]] double end() const { return fun == "id" ? M_PI : std::min(M_PI, c2 * 0.5 * M_PI); }
 
-  /// The image's radius for an angle from the axis, where small angles are their own radius.
+  /// The radius in the image for an angle from the axis, scaled so that it equals the angle for
+  /// small angles.
   [[nodiscard]] double radius(double angle) const { return c2 * apply(angle / c2); }
 };
 
@@ -76,7 +77,7 @@ void checkMapping(const Mapping& mapping) {
   }
 }
 
-/// The radius in half widths that one unit of c1 fun() makes.
+/// The radius, in half widths of the image, of one unit of c1 fun().
 double scaleOf(const Mapping& mapping, bool is_scaled, double field_of_view) {
   if (!is_scaled) return mapping.f;
   const double half = 0.5 * field_of_view;
@@ -88,7 +89,7 @@ double scaleOf(const Mapping& mapping, bool is_scaled, double field_of_view) {
   return 1.0 / (mapping.c1 * mapping.apply(half / mapping.c2));
 }
 
-/// The angle at which the lens's radius is reached, or its end.
+/// The angle at which the lens reaches a radius, or `end` if that comes first.
 double angleAt(const Mapping& mapping, double radius, double end) {
   double low = 0.0;
   double high = end;
@@ -99,7 +100,7 @@ double angleAt(const Mapping& mapping, double radius, double end) {
   return high;
 }
 
-/// theta (1 + k1 theta^2 + ... + k4 theta^8) that is nearest to the radius, by least squares.
+/// Fits theta (1 + k1 theta^2 + ... + k4 theta^8) to the radius by least squares.
 Distortion fitted(const Mapping& mapping, double largest_angle, double focal_length) {
   constexpr int kPlaces = 400;
   constexpr double kTolerance = 0.05;  // [px]
@@ -130,7 +131,7 @@ Distortion distortionOf(const Mapping& mapping, double cutoff, double focal_leng
     return {DistortionModel::kEquidistant, {}, std::min(cutoff, M_PI)};
   }
   if (mapping.fun == "tan" && mapping.c2 == 1.0) return {DistortionModel::kNone, {}, cutoff};
-  // At the function's very end the image would reach infinity, or stand still.
+  // At the very end of the function, the radius would become infinite, or stop growing.
   const double end = std::min(cutoff, 0.995 * mapping.end());
   const double largest_angle = angleAt(mapping, corner / focal_length, end);
   return fitted(mapping, largest_angle, focal_length);

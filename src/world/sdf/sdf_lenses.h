@@ -25,17 +25,16 @@ class UnsupportedLens : public Error {
 };
 
 /// A camera's <distortion>: Brown's model as Gazebo applies it, which is OpenCV's plumb_bob on
-/// coordinates divided by the focal length. Gazebo then may cut the dark border off a picture with
-/// a negative k1, by stretching it; this is left out, so that pictures agree with the camera's
-/// calibration.
-/// @throws UnsupportedLens where the distortion's centre is not the image's
+/// coordinates divided by the focal length. With a negative k1, Gazebo may then stretch the picture
+/// to crop its dark border; this is left out, so that pictures agree with the camera's calibration.
+/// @throws UnsupportedLens if the centre of distortion is not that of the image
 [[nodiscard]] Distortion brownDistortion(const Element& camera, const SourceLocation& location,
                                          SdfReading& reading);
 
-/// The lens of a <sensor type="wideanglecamera">: r = c1 f fun(theta / c2 + c3), r being 1 at half
-/// the image's width. Lenses other than gnomonical and equidistant ones become an equidistant one
-/// with coefficients that are fitted to within 0.05 px over all that the image shows.
-/// @throws UnsupportedLens where no fit is that good, or r is not 0 on the axis
+/// The lens of a <sensor type="wideanglecamera">: r = c1 f fun(theta / c2 + c3), where r is 1 at
+/// half the image's width. Lenses other than gnomonical and equidistant ones are approximated by an
+/// equidistant one, whose coefficients are fitted to within 0.05 px over the whole image.
+/// @throws UnsupportedLens if no fit is that good, or if r is not 0 on the axis
 [[nodiscard]] Lens wideAngleLens(const CameraImage& image, const Element& camera,
                                  const SourceLocation& location, SdfReading& reading);
 

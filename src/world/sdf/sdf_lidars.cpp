@@ -14,15 +14,15 @@ bool isLidar(const std::string& type) {
   return type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar";
 }
 
-/// Reads the `<ray>` of a sensor, which SDF calls `<lidar>` since 1.6.
+/// Reads the `<ray>` of a sensor, which SDF has called `<lidar>` since 1.6.
 class RayReader {
  public:
   RayReader(const Element& ray, const SourceLocation& location, SdfReading& reading)
       : ray_(ray), location_(location), reading_(reading) {}
 
   /// `samples` times `resolution` rays. A single one goes straight ahead, whatever the angles are,
-  /// as Gazebo's MultiRayShape has it.
-  /// @param usual  samples, where the file does not say
+  /// as in Gazebo's MultiRayShape.
+  /// @param usual  default number of samples
   [[nodiscard]] RayScan scan(const char* direction, double usual) const {
     const Element from = ray_.child("scan").child(direction);
     RayScan scan;
@@ -87,7 +87,7 @@ std::optional<LidarSensor> readLidar(const Element& sensor, const std::string& n
     lidar.azimuth = reader.scan("horizontal", 640.0);
     lidar.elevation = reader.scan("vertical", 1.0);
     reader.readRange(lidar);
-    // That of gazebo_ros' and Velodyne's plugins, whose robots leave <noise> at 0.
+    // The noise set in plugins of gazebo_ros and Velodyne, whose robots leave <noise> at 0.
     for (const Element& plugin : sensor.children("plugin")) {
       if (lidar.noise > 0.0) break;
       lidar.noise = std::max(0.0, readNumber(plugin, "gaussianNoise", 0.0, location, reading));

@@ -64,7 +64,7 @@ class PbrReader {
     if (to_.emissive_map && !material_.has("emissive")) to_.material.emissive.setOnes();
   }
 
-  /// A map stands for the number, and differs from place to place.
+  /// A map replaces the number, and varies over the surface.
   void readMetal() {
     to_.roughness_map = picture("roughness_map", PictureContent::kRed);
     to_.metalness_map = picture("metalness_map", PictureContent::kRed);
@@ -106,8 +106,8 @@ class PbrReader {
   MaterialSource& to_;
 };
 
-/// Puts the numbers and maps of a material's PBR workflow, the metal one where there are both, in
-/// the place of what `to` has.
+/// Overwrites `to` with the numbers and maps of a material's PBR workflow, the metal one if there
+/// are both.
 /// @param material  a `<material>`
 /// @param location  the visual's
 /// @return whether the material has a workflow
@@ -121,7 +121,7 @@ bool readPbr(const Element& material, const SourceLocation& location, SdfReading
   return true;
 }
 
-/// SDF 1.0 says <material script="Gazebo/Grey">.
+/// SDF 1.0 writes <material script="Gazebo/Grey">.
 ScriptRequest requestOf(const Element& material) {
   const Element script = material.child("script");
   ScriptRequest request;
@@ -134,8 +134,8 @@ ScriptRequest requestOf(const Element& material) {
   return request;
 }
 
-/// Whether the file of a material that is not to be had may just be absent; Gazebo's own are where
-/// Gazebo is installed.
+/// Whether a material may be unavailable just because a file is missing. Gazebo's own scripts do
+/// not count: they are only there if Gazebo is installed.
 bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
   const std::vector<std::string> missing = reading.meshes.scripts().missingUris(request);
   return std::any_of(missing.begin(), missing.end(), [](const std::string& uri) {
@@ -143,8 +143,8 @@ bool lacksFile(const ScriptRequest& request, const SdfReading& reading) {
   });
 }
 
-/// A script of the user's own comes before what Gazebo has under the same name, and this before
-/// what else is in its media folders.
+/// Finds a material: a script of the user's own takes precedence over what Gazebo ships under the
+/// same name, and this over the other scripts in its media folders.
 std::optional<Material> find(const ScriptRequest& request, const SourceLocation& location,
                              SdfReading& reading) {
   const auto missing = [&](const std::string& message) {
@@ -173,14 +173,16 @@ std::optional<Material> find(const ScriptRequest& request, const SourceLocation&
   return std::nullopt;
 }
 
-/// The material that a <material>'s <script> names, of a script or of those that Gazebo ships.
-/// @return nothing where there is no <script>, or its material is not to be had (reported)
+/// The material that a <material>'s <script> names, from a script or from those that Gazebo ships;
+/// the default material if it cannot be found or read (reported).
+/// @return nothing if there is no <script>, or if its material is unknown, it names no <uri>, and
+///     the <material> has a diffuse colour
 std::optional<Material> readSdfScript(const Element& material, const SourceLocation& location,
                                       SdfReading& reading) {
   const ScriptRequest request = requestOf(material);
   if (request.name.empty()) return std::nullopt;
   if (std::optional<Material> found = find(request, location, reading)) return found;
-  // Worlds that Gazebo has saved name materials that only it knew, and say their colours as well.
+  // Worlds saved by Gazebo name materials that only it knew, and give their colours as well.
   if (request.uris.empty() && material.has("diffuse")) return std::nullopt;
   const std::string thing = "material '" + request.name + "' is in no script (" +
                             reading.meshes.scripts().searchedPlaces(request) +
@@ -208,7 +210,7 @@ void readColours(const Element& from, const SourceLocation& location, SdfReading
   if (const auto emissive = colour("emissive")) to.emissive = emissive->head<3>();
 }
 
-/// The exponent of the highlight, which has no colour where none is said (SDF specification,
+/// Reads the exponent of the highlight, which has no colour if none is given (SDF specification,
 /// <shininess>, <specular>).
 void readShininess(const Element& element, const SourceLocation& location, SdfReading& reading,
                    Material& to) {
@@ -235,7 +237,7 @@ void readShader(const Element& from, SdfReading& reading, MaterialSource& to) {
   to.normal_map->folder = from.folder();
 }
 
-/// The pictures that the source names join those that its material has of a script.
+/// Adds the pictures that the source names to those that its material has from a script.
 Material withMaps(const MaterialSource& source, const SourceLocation& location,
                   SdfReading& reading) {
   const auto missing = [&](const std::string& message) { reading.missing(location, message); };

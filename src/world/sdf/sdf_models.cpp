@@ -23,7 +23,7 @@ namespace synthetic_dataset::world {
 namespace {
 
 /// Whether the principal moments are those of a solid: each above 0, and none larger than the other
-/// two together (but for rounding).
+/// two together (except for rounding).
 bool isSolid(const Eigen::Matrix3d& moments) {
   if (!moments.allFinite()) return false;
   const Eigen::Vector3d principal =
@@ -32,7 +32,7 @@ bool isSolid(const Eigen::Matrix3d& moments) {
   return principal(0) > 0.0 && principal(2) <= (principal(0) + principal(1)) * (1.0 + kRounding);
 }
 
-/// SDF 1.0 has attributes, and 1 where the file says nothing.
+/// SDF 1.0 uses attributes. The diagonal defaults to 1, the rest to 0.
 Eigen::Matrix3d readMoments(const Element& inertia, const SourceLocation& location,
                             SdfReading& reading) {
   const auto at = [&](const char* name, double fallback) {
@@ -46,12 +46,13 @@ Eigen::Matrix3d readMoments(const Element& inertia, const SourceLocation& locati
   return moments;
 }
 
-/// The file's inertia if it is one that a solid body can have; another is noted.
+/// The file's inertia, if a solid body can have it; otherwise nothing, with a note.
 /// @param location  the link's
 std::optional<Inertia> readInertia(const Element& link, const SourceLocation& location,
                                    SdfReading& reading) {
   const Element element = link.child("inertial");
-  // The newest files may have it worked out from the collision shapes, which is done without one.
+  // Newer files may have it computed from the collision shapes, which is also done if there is
+  // none.
   if (!element || element.attribute("auto") == "true") return std::nullopt;
   const Pose X_LI = readPose(element, location, reading).pose;
   const Eigen::Matrix3d moments_I = readMoments(element.child("inertia"), location, reading);
@@ -93,17 +94,18 @@ class ModelReader {
       stands_ = stands_ || inner.is_static;
     }
     label_ = outer_label;
-    // Joints may hold links of nested models, so these come first.
+    // Joints may refer to links of nested models, so these come first.
     stands_ = readJoints(source, prefix, reading_, contents.model) || stands_;
   }
 
-  /// Whether something in the model cannot move, which holds all of it: a model moves as one piece.
+  /// Whether something in the model cannot move, which fixes all of it: a model moves as one rigid
+  /// body.
   [[nodiscard]] bool stands() const { return stands_; }
 
   ModelContents contents;
 
  private:
-  /// What is in one link.
+  /// The link whose contents are being read.
   struct LinkContext {
     const Link& link;
     const Pose& X_NL;  ///< in its own model
@@ -166,7 +168,8 @@ class ModelReader {
     }
   }
 
-  /// The pose of what is in a link, in that link; it may be given in any frame of the model.
+  /// The pose, in its link, of something that a link contains; it may be given in any frame of the
+  /// model.
   Pose poseIn(const LinkContext& context, const Element& element, const SourceLocation& location) {
     const RelativePose pose = readPose(element, location, reading_);
     if (pose.frame.empty()) return pose.pose;
@@ -179,7 +182,7 @@ class ModelReader {
     return context.X_NL.inverse() * context.frames.resolve(pose, "", location, reading_);
   }
 
-  /// A saved world's state says where links are, too.
+  /// The pose of a link, which a saved world's state may override.
   [[nodiscard]] Pose poseOf(const std::string& link, const Pose& X_ML) const {
     if (saved_ == nullptr) return X_ML;
     const auto saved = saved_->X_WL.find(link);
@@ -198,7 +201,7 @@ class ModelReader {
     const auto isAdded = [&](const std::string& name) {
       return [name](const Link& link) { return link.name == name; };
     };
-    // Gives a sensor its new names.
+    // Renames a sensor, and returns X_WL of the link that carries it.
     const auto carrierOf = [&](auto& sensor) -> Pose {
       sensor.link = prefix + sensor.link;
       sensor.name =

@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::world {
 
-/// A model with what its links carry.
+/// A model with the lights and sensors that its links carry.
 struct ModelContents {
   Model model;
   std::vector<Light> lights;
@@ -16,9 +16,9 @@ struct ModelContents {
   std::vector<LidarSensor> lidars;
 };
 
-/// Reads a model whose frames are filled; links of nested models become its own, "child::link".
-/// Lights and sensors are placed in the world by the model's pose.
-/// @param saved  what a saved world's state says of it, or null
+/// Reads a model whose frames have been filled; links of nested models become its own,
+/// "child::link". Lights and sensors are placed in the world according to the model's pose.
+/// @param saved  what a saved world's state says about it, or null
 [[nodiscard]] ModelContents readModel(ModelSource& source, const Pose& X_WM,
                                       const SavedModel* saved, SdfReading& reading);
 

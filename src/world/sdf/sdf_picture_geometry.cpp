@@ -11,7 +11,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr double kLargestSize = 1e7;  // [m]: there is no telling points of larger things apart
+constexpr double kLargestSize = 1e7;  // [m]: points of larger things cannot be told apart
 
 Outline readOutline(const Element& polyline, const Eigen::Vector3d& scale) {
   Outline outline;
@@ -50,7 +50,7 @@ std::vector<GroundBlend> readBlends(const Element& heightmap, const SourceLocati
   return blends;
 }
 
-/// SDF 1.0 says `filename`.
+/// SDF 1.0 writes `filename`.
 std::string uriOf(const Element& element) {
   return readText(element, element.value("uri") ? "uri" : "filename");
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The geometries that are made of outlines and pictures, and what they share with the others.
+/// The geometries that are made from outlines and pictures, and helpers shared with the others.
 
 #include <filesystem>
 #include <optional>
@@ -19,7 +19,7 @@ namespace synthetic_dataset::world {
 /// @throws Error if it is not a length: above 0 and at most 1e7 m
 double requireSize(const std::string& name, double value);
 
-/// The file that a URI means in an element's file, or nothing where there is none (reported).
+/// The file to which a URI in an element's file refers, or nothing if there is none (reported).
 /// @param kind  for the message: "mesh", "heightmap"
 [[nodiscard]] std::optional<std::filesystem::path> findFile(const std::string& kind,
                                                             const std::string& uri,
@@ -27,19 +27,19 @@ double requireSize(const std::string& name, double value);
                                                             const SourceLocation& location,
                                                             SdfReading& reading);
 
-/// All `<polyline>` of a `<geometry>`, which make one shape of the first one's height.
-/// @throws Error if it is not a polyline
+/// Reads all `<polyline>`s of a `<geometry>`, which form one shape with the height of the first.
+/// @throws Error for a height or a point that is invalid
 [[nodiscard]] Extrusion readPolylines(const Element& geometry, const Eigen::Vector3d& scale,
                                       const SourceLocation& location, SdfReading& reading);
 
-/// @throws Error for sizes that are none
+/// @throws Error for invalid sizes
 [[nodiscard]] std::optional<Heightmap> readHeightmap(const Element& element,
                                                      const Eigen::Vector3d& scale,
                                                      const SourceLocation& location,
                                                      SdfReading& reading);
 
 /// @param element  an `<image>`
-/// @throws Error for sizes that are none
+/// @throws Error for invalid sizes
 [[nodiscard]] std::optional<WallMap> readWallMap(const Element& element,
                                                  const SourceLocation& location,
                                                  SdfReading& reading);

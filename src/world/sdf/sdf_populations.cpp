@@ -20,12 +20,12 @@ namespace {
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kMostPopulated = 10000.0;
 
-/// Three numbers of 0 .. 1 for each model.
+/// Three numbers from 0 to 1 for each model.
 using Draw = std::function<Eigen::Vector3d(std::size_t index)>;
 
-/// Evenly spread, over x and y above all: the additive recurrence of the root of x^3 = x + 1, and
-/// of the golden ratio in z (Roberts 2018, "The unreasonable effectiveness of quasirandom
-/// sequences").
+/// Evenly spread points, above all in x and y: the additive recurrences of the root of x^3 = x + 1
+/// in x and y, and of the golden ratio in z (Roberts 2018, "The unreasonable effectiveness of
+/// quasirandom sequences").
 Eigen::Vector3d evenly(std::size_t index) {
   constexpr double kRoot = 1.324717957244746;
   constexpr double kGolden = 1.618033988749895;
@@ -35,7 +35,7 @@ Eigen::Vector3d evenly(std::size_t index) {
   return result;
 }
 
-/// A whole number of at least 1; nothing, with a note, where it is none.
+/// A whole number from 1 to 10000; nothing, with a note, if it is not.
 std::optional<std::size_t> readCount(const Element& parent, const char* name,
                                      const SourceLocation& location, SdfReading& reading) {
   const double count = readNumber(parent, name, 0.0, location, reading);
@@ -45,13 +45,13 @@ std::optional<std::size_t> readCount(const Element& parent, const char* name,
   return std::nullopt;
 }
 
-/// Where the models of a population are.
+/// Computes where the models of a population are.
 class PopulationReader {
  public:
   PopulationReader(const Element& population, const SourceLocation& location, SdfReading& reading)
       : population_(population), location_(location), reading_(reading) {}
 
-  /// In the world; none, with a note, where it does not say.
+  /// The positions in the world; none, with a note, if the file does not define them.
   std::vector<Eigen::Vector3d> positions() {
     const Element distribution = population_.child("distribution");
     const std::string type = readText(distribution, "type");
@@ -68,7 +68,7 @@ class PopulationReader {
   }
 
  private:
-  /// The pose is the middle of the rows and columns.
+  /// The population's pose is the centre of the grid.
   std::vector<Eigen::Vector3d> gridOf(const Element& distribution) {
     const auto rows = readCount(distribution, "rows", location_, reading_);
     const auto columns = readCount(distribution, "cols", location_, reading_);
@@ -101,7 +101,7 @@ class PopulationReader {
     return {};
   }
 
-  /// The pose is its middle.
+  /// The population's pose is the centre of the box.
   std::vector<Eigen::Vector3d> boxOf(const Element& box, const std::string& type,
                                      std::size_t count) {
     const Eigen::Vector3d size =
@@ -124,8 +124,8 @@ class PopulationReader {
     return offsets;
   }
 
-  /// The pose is the middle of its base. At random, Gazebo draws the distance from the axis, so
-  /// that more are near to it.
+  /// The population's pose is the centre of the cylinder's base. At random, Gazebo draws the
+  /// distance from the axis uniformly, so that there are more models near the axis.
   std::vector<Eigen::Vector3d> cylinderOf(const Element& cylinder, const std::string& type,
                                           std::size_t count) {
     const double radius = readNumber(cylinder, "radius", 0.0, location_, reading_);

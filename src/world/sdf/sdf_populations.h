@@ -9,10 +9,10 @@
 
 namespace synthetic_dataset::world {
 
-/// The models of a `<population>`: its `<model>` again and again, called "name_clone_0" and so on,
-/// where its distribution puts them, as Gazebo Classic does (Population.cc). What Gazebo draws at
-/// random is drawn by the population's name here, the same in all runs; what it spreads evenly by
-/// k-means follows a sequence of low discrepancy.
+/// Reads the models of a `<population>`: copies of its `<model>`, called "name_clone_0" and so on,
+/// placed by its distribution as in Gazebo Classic (Population.cc). Where Gazebo draws at random,
+/// the numbers here depend only on the population's name, and are the same in all runs; where it
+/// spreads models evenly by k-means, they follow a low-discrepancy sequence.
 /// @param outer  the location of the world
 [[nodiscard]] std::vector<ModelSource> readPopulation(const Element& population,
                                                       const SourceLocation& outer,

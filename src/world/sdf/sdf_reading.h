@@ -15,7 +15,7 @@
 
 namespace synthetic_dataset::world {
 
-/// The files that a world is going to need, all of which are there.
+/// The files that a world will need, all of which exist.
 struct SdfSurvey {
   std::vector<MeshAhead> meshes;
   std::vector<TextureReference> pictures;
@@ -36,34 +36,34 @@ struct UrdfModel {
   std::vector<LidarSensor> lidars;
 };
 
-/// Reads a URDF file, readUrdfModel().
+/// Reads a URDF file; see readUrdfModel().
 using UrdfReader = std::function<UrdfModel(const SdfFile& file, SdfReading& reading)>;
 
-/// What reading SDF needs and brings to light. One rule holds for all elements: what this program
-/// does not use is not looked at; what it uses and cannot understand costs that alone (a default
-/// takes its place, or its shape is left out), with a note that says file, line, what was found and
-/// what was done.
+/// The inputs and findings of reading SDF. One rule holds for all elements: those that this program
+/// does not use are not examined; if one that it uses cannot be understood, only that one is
+/// affected (a default replaces it, or its shape is left out), with a note that says file, line,
+/// what was found and what was done.
 struct SdfReading {
   const ResourceFinder& finder;
   MeshLoader& meshes;
   ShapeCache& shapes;
   SdfFiles& files;
   Findings& findings;
-  UrdfReader readUrdf;    ///< of the URDF files that are included
+  UrdfReader readUrdf;    ///< for the URDF files that are included
   bool is_of_gz = false;  ///< something was found that only gz-sim has
 
-  /// Where set, meshes and pictures are looked for and listed but not read: what is missing is
-  /// reported before anything large is read, and what is there can be read side by side.
+  /// If set, meshes and pictures are looked for and listed but not read: what is missing is
+  /// reported before anything large is read, and the rest can be read in parallel.
   SdfSurvey* survey = nullptr;
 
-  /// A file that an element names is missing or unreadable, and the element is left out: an error,
-  /// or a note where the user would rather have the rest.
+  /// Reports that a file that an element names is missing or unreadable, and that the element is
+  /// left out: an error, or a note if the user would rather have the rest.
   void missing(const SourceLocation& location, const std::string& thing) {
     findings.addMissing(location, thing);
   }
 };
 
-/// The location of an element below another, by its `name`.
+/// The location of an element in an outer one, with its `name`.
 [[nodiscard]] inline SourceLocation locationOf(const Element& element, const SourceLocation& outer,
                                                const std::string& name) {
   const SourceLocation there = outer.inFile(element.file().path.string()).atLine(element.line());

@@ -31,7 +31,7 @@ std::vector<Eigen::Vector3d> readPoints(const Element& road, const SourceLocatio
   return points;
 }
 
-/// The direction across the road at a point, to its left, and so long that the strip keeps its
+/// The direction across the road at a point, to its left, lengthened so that the strip keeps its
 /// width in a bend.
 Eigen::Vector3d acrossAt(const std::vector<Eigen::Vector3d>& points, std::size_t i) {
   const Eigen::Vector2d before = (points[i] - points[i > 0 ? i - 1 : i]).head<2>().normalized();
@@ -39,7 +39,7 @@ Eigen::Vector3d acrossAt(const std::vector<Eigen::Vector3d>& points, std::size_t
       (points[i + 1 < points.size() ? i + 1 : i] - points[i]).head<2>().normalized();
   const Eigen::Vector2d along = (before + after).normalized();
   const Eigen::Vector2d& side = i > 0 ? before : after;
-  constexpr double kSharpest = 0.2;  // of the cosine of half a bend: hairpins get no endless spikes
+  constexpr double kSharpest = 0.2;  // least cosine of half a bend: hairpins get no endless spikes
   return Eigen::Vector3d(-along.y(), along.x(), 0.0) / std::max(kSharpest, along.dot(side));
 }
 

@@ -4,8 +4,8 @@
 
 namespace synthetic_dataset::world {
 
-/// A `<road>`: a strip of the given width along its points, as Gazebo Classic draws it (its
-/// rendering::Road2d), as a static model of the road's name.
+/// Reads a `<road>`, a strip of the given width along its points, as a static model with the road's
+/// name, drawn as by Gazebo Classic (rendering::Road2d).
 /// @param location  the road's
 [[nodiscard]] Model readRoad(const Element& road, const SourceLocation& location,
                              SdfReading& reading);

@@ -24,7 +24,7 @@ double positiveOr(const Element& parent, const char* name, double fallback,
   return fallback;
 }
 
-/// What Gazebo's renderer takes the names for; others it does not know.
+/// How Gazebo's renderer understands the names; nothing for a name that it does not know.
 std::optional<FogType> fogType(const std::string& name) {
   if (name == "linear") return FogType::kLinear;
   if (name == "exp") return FogType::kExponential;
@@ -45,7 +45,7 @@ std::optional<Fog> readFog(const Element& element, const SourceLocation& locatio
   }
   Fog fog;
   fog.type = *type;
-  // SDF 1.0 says <fog rgba="...">.
+  // SDF 1.0 writes <fog rgba="...">.
   fog.colour =
       colourOr(element, element.has("color") ? "color" : "rgba", fog.colour, location, reading);
   fog.start = positiveOr(element, "start", fog.start, location, reading);

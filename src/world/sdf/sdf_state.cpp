@@ -5,7 +5,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Links of models within models are given in the world, too.
+/// The poses of links of nested models are given in the world's frame, too.
 void readLinks(const Element& model, const std::string& prefix, const SourceLocation& location,
                SdfReading& reading, SavedModel& saved) {
   for (const Element& link : model.children("link")) {

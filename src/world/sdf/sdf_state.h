@@ -13,14 +13,14 @@
 
 namespace synthetic_dataset::world {
 
-/// What a saved world's `<state>` says of a model.
+/// What a saved world's `<state>` says about a model.
 struct SavedModel {
   std::optional<Pose> X_WM;
   Eigen::Vector3d scale{1, 1, 1};    ///< of its visuals and collisions, not of their poses
   std::map<std::string, Pose> X_WL;  ///< by the link's scoped name: "arm::wrist"
 };
 
-/// The `<state>` of a world that Gazebo saved: how its things had come to stand.
+/// The `<state>` of a world that Gazebo saved: where everything was when it was saved.
 struct SavedState {
   std::map<std::string, SavedModel> models;
   std::map<std::string, Pose> lights;

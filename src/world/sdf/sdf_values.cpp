@@ -12,7 +12,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-constexpr double kFarthest = 1e7;  // [m]: there is no telling points beyond it apart
+constexpr double kFarthest = 1e7;  // [m]: points beyond it cannot be told apart
 constexpr double kDegree = M_PI / 180.0;
 
 std::string quoted(const std::string& text) {

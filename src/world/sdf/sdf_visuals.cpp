@@ -89,7 +89,7 @@ std::vector<Surface> meshSurfaces(const MeshRequest& request,
   const bool is_stl = extensionOf(request.file) == ".stl";
   std::vector<Surface> surfaces;
   for (const MeshPiece& piece : reading.meshes.pieces(request)) {
-    const bool is_bare = reading.meshes.isMadeUp(request.file, piece.material);
+    const bool is_bare = reading.meshes.isDefaultMaterial(request.file, piece.material);
     const std::optional<Material>& given = material || !is_bare ? material : fallback;
     if (!given) {
       surfaces.push_back({piece.mesh, reading.meshes.material(request, piece.material, missing)});

@@ -8,9 +8,9 @@
 
 namespace synthetic_dataset::world {
 
-/// A mesh's triangles in the given material or, without one, in its own. Colours of an STL's facets
-/// are some programs' own marks, and count where nobody gives it a colour.
-/// @param fallback  of a mesh whose file has no material
+/// A mesh's triangles in the given material or, without one, in its own. The facet colours of an
+/// STL file are extensions of some programs, and are only used if no material is given.
+/// @param fallback  material for a mesh whose file has none
 /// @param location  of what is drawn, for pictures that are missing (reported)
 /// @throws Error if the mesh cannot be read
 [[nodiscard]] std::vector<Surface> meshSurfaces(const MeshRequest& request,
@@ -27,9 +27,9 @@ namespace synthetic_dataset::world {
                                               const SourceLocation& location, SdfReading& reading);
 
 /// @param visual  its pose is read by the caller, who knows the frames
-/// @param scale  how much larger than the file says, by axis
+/// @param scale  factors on the sizes in the file, by axis
 /// @param location  the visual's
-/// @return nothing where there is nothing to be seen, and in a survey
+/// @return nothing if there is nothing to be seen, and in a survey
 [[nodiscard]] std::optional<Visual> readVisual(const Element& visual, const Eigen::Vector3d& scale,
                                                const SourceLocation& location, SdfReading& reading);
 

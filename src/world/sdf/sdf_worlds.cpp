@@ -24,7 +24,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// The animation of a name, else the first one.
+/// The animation with this name, else the first one.
 Element animationNamed(const Element& actor, const std::string& name) {
   for (const Element& animation : actor.children("animation")) {
     if (animation.attribute("name") == name) return animation;
@@ -43,9 +43,9 @@ std::optional<std::filesystem::path> fileOf(const Element& element, const Source
   return findFile("mesh", readText(element, "filename"), element, location, reading);
 }
 
-/// An `<actor>` as a model that stands: its skin in the first pose of the animation that its
+/// Reads an `<actor>` as a static model: its skin in the first pose of the animation that its
 /// trajectory begins with, at the trajectory's first waypoint, as Gazebo shows it at time 0.
-/// Without a trajectory it is where its own pose is.
+/// Without a trajectory, it has its own pose.
 /// @param actor  an `<actor>`
 /// @param X_WA  its own pose
 /// @param location  the actor's
@@ -81,7 +81,7 @@ Model readActor(const Element& actor, const std::string& name, const Pose& X_WA,
 
 using Kind = ModelSource::Kind;
 
-/// Reads what stands in a world.
+/// Reads the contents of a world.
 class WorldReader {
  public:
   WorldReader(const Element& world, const SourceLocation& location, SdfReading& reading)
@@ -94,7 +94,7 @@ class WorldReader {
     readGlobals();
     gather(world_);
     for (const Element& each : saved_.inserted) gatherOne(each);
-    // A world that was saved has the models themselves in its state.
+    // A saved world has the populations' models themselves in its state.
     for (const Element& each : world_.children("population")) {
       for (ModelSource& source : readPopulation(each, location_, includes_, reading_)) {
         addSource(std::move(source));
@@ -110,7 +110,7 @@ class WorldReader {
 
  private:
   void readGlobals() {
-    // Up to SDF 1.5, gravity was of <physics>.
+    // Up to SDF 1.5, gravity was part of <physics>.
     const Element owner = world_.has("gravity") ? world_ : world_.child("physics");
     description_.gravity = readVector(owner, "gravity", description_.gravity, location_, reading_);
     const Element scene = world_.child("scene");
@@ -147,7 +147,7 @@ class WorldReader {
     sources_.push_back(std::move(source));
   }
 
-  /// Gazebo does not mind two models of one name; labels and settings need to tell them apart.
+  /// Gazebo accepts several models of the same name; labels and settings need to tell them apart.
   std::string uniqueName(const ModelSource& source) {
     std::set<std::string>& names = source.kind == Kind::kLight ? light_names_ : model_names_;
     std::string unique = source.name;
@@ -168,7 +168,7 @@ class WorldReader {
   }
 
   void readSource(ModelSource& source) {
-    // Not by name: a model and a light may have the same.
+    // Not looked up by name: a model and a light may have the same one.
     const Pose X_WM = frames_.resolve(placed(source, reading_), "", source.location, reading_);
     if (source.kind == Kind::kModel || source.kind == Kind::kUrdf) readModelSource(source, X_WM);
     if (source.kind == Kind::kLight) {

@@ -4,7 +4,7 @@
 
 namespace synthetic_dataset::world {
 
-/// Reads a world: its scene, models, lights and cameras. Where a world was saved by Gazebo, its
+/// Reads a world: its scene, models, lights and cameras. If the world was saved by Gazebo, its
 /// <state> says where models, links and lights are.
 /// @param world  a `<world>`, or the `<sdf>` of a file without one: its model or light is the world
 [[nodiscard]] Description readWorld(const Element& world, SdfReading& reading);

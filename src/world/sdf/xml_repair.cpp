@@ -10,7 +10,7 @@ namespace {
 
 bool isXmlBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-/// The text without its declarations; what they span is blanked, as lines are counted.
+/// The text with its declarations blanked out, which preserves line numbers.
 std::string withoutDeclarations(std::string text) {
   for (std::size_t at = text.find("<?"); at != std::string::npos; at = text.find("<?", at)) {
     const std::size_t end = text.find("?>", at);
@@ -22,7 +22,7 @@ std::string withoutDeclarations(std::string text) {
   return text;
 }
 
-/// Walks over a text and copies it, with quotes around the attributes that lack them.
+/// Copies a text, with quotes added around the attributes that lack them.
 class Quoter {
  public:
   explicit Quoter(std::string_view text) : text_(text) {}

@@ -8,13 +8,13 @@
 
 namespace synthetic_dataset::world {
 
-/// SDF's <polyline>: what outlines enclose, from z = 0 up.
+/// SDF's <polyline>: the area that outlines enclose, extruded upwards from z = 0.
 struct Extrusion {
   std::vector<Outline> outlines;
   double height = 1.0;  ///< [m]
 };
 
-/// With both caps; a texture is repeated each metre.
+/// The mesh, with both caps; a texture repeats every metre.
 /// @throws Error as `triangulate`
 [[nodiscard]] std::shared_ptr<const Mesh> extrudedMesh(const Extrusion& extrusion);
 

@@ -6,7 +6,7 @@
 
 namespace synthetic_dataset::world {
 
-/// The picture of a heightmap or a map of walls.
+/// The picture of a heightmap or wall map.
 struct NumberPicture {
   cv::Mat numbers;             ///< CV_32FC3: red, green and blue from 0 to 1
   bool has_eight_bits = true;  ///< else 16

@@ -17,7 +17,7 @@ using Eigen::Vector4f;
 
 constexpr int kMostPoints = 1025;  // on a side: two million triangles in all
 
-/// The number of points on a side with this many pixels.
+/// The number of grid points on a side with this many pixels.
 int pointsOf(int pixels, unsigned sampling) {
   const double points = (pixels - 1.0) * std::max(1U, sampling) + 1.0;
   return static_cast<int>(std::min<double>(points, kMostPoints));
@@ -39,9 +39,9 @@ double interpolated(const cv::Mat& picture, double x, double y) {
 
 float brightnessOf(const cv::Vec3f& pixel) { return pixel[0] + pixel[1] + pixel[2]; }
 
-/// The red of the brightest pixel, which has the height of the heightmap's size. In pictures of 8
-/// bits Gazebo 11 takes a value of 1 for the brightest of all: it divides by 255 only what is above
-/// 1 (common::Image::MaxColor, ignition::math::Color::Clamp).
+/// The red of the brightest pixel, which has the height given by the heightmap's size. In 8-bit
+/// pictures, Gazebo 11 takes a value of 1 for the brightest possible: it divides only values above
+/// 1 by 255 (common::Image::MaxColor, ignition::math::Color::Clamp).
 double brightestOf(const NumberPicture& picture) {
   cv::Vec3f brightest(0.0F, 0.0F, 0.0F);
   for (int row = 0; row < picture.numbers.rows; ++row) {
@@ -56,12 +56,12 @@ double brightestOf(const NumberPicture& picture) {
   return brightest[0];
 }
 
-/// The size along x and y of the quadrangle between four points.
+/// The distances between neighbouring grid points along x and y.
 Eigen::Vector2d stepOf(const Heightmap& heightmap, const HeightGrid& grid) {
   return {heightmap.size.x() / (grid.columns - 1), heightmap.size.y() / (grid.rows - 1)};
 }
 
-/// The normal from the slopes to the neighbours of a point.
+/// The normal at a point, from the slopes between its neighbours.
 Vector3f normalAt(const HeightGrid& grid, const Eigen::Vector2d& step, int row, int column) {
   const auto height = [&](int r, int c) -> double {
     return grid.heights[static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.columns) +
@@ -119,7 +119,8 @@ std::vector<float> weightsOf(const HeightGrid& grid, const GroundBlend& blend) {
   return weights;
 }
 
-/// Gives the mesh the weights as its colours' alpha, and takes out the triangles without any.
+/// Sets the weights as the alpha of the mesh's colours, and removes the triangles without any
+/// weight.
 void fade(Mesh& mesh, const std::vector<float>& weights) {
   for (const float weight : weights) mesh.colours.emplace_back(1.0F, 1.0F, 1.0F, weight);
   std::vector<std::uint32_t> indices;
@@ -131,7 +132,7 @@ void fade(Mesh& mesh, const std::vector<float>& weights) {
   mesh.indices = std::move(indices);
 }
 
-/// The ground stays where its pictures are missing.
+/// The ground is kept even if its pictures are missing.
 Material materialOf(const GroundTexture& ground, const Heightmap& heightmap,
                     TextureLoader& textures, const MissingPicture& missing) {
   MaterialSource source;
@@ -191,7 +192,7 @@ std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap, const Materia
       const std::vector<float> weights = weightsOf(grid, heightmap.blends[i - 1]);
       if (allAre(weights, 0.0F)) continue;
       if (allAre(weights, 1.0F)) {
-        surfaces.clear();  // it hides those below it
+        surfaces.clear();  // it hides the ones below it
       } else {
         fade(*mesh, weights);
       }

@@ -20,14 +20,14 @@ struct GroundTexture {
   double size = 10.0;   ///< of one tile [m]
 };
 
-/// From where on up the next texture lies over the ones before it.
+/// The height above which the next texture covers the ones before it.
 struct GroundBlend {
   double min_height = 0.0;  ///< [m] above the lowest point that the picture can describe
-  double fade_dist = 0.0;   ///< over how much of height it becomes opaque [m]
+  double fade_dist = 0.0;   ///< range of height over which it becomes opaque [m]
 };
 
-/// SDF's <heightmap>: a picture whose brightest pixel is as high as the size says. Its first row is
-/// the side of +y.
+/// SDF's <heightmap>: a picture whose brightest pixel has the height that the size gives. Its first
+/// row is at +y.
 struct Heightmap {
   std::filesystem::path file;
   Eigen::Vector3d size{1, 1, 1};    ///< [m]; a negative z turns it upside down
@@ -45,18 +45,19 @@ struct HeightGrid {
   std::vector<float> heights;  ///< above the ground's level [m]
 };
 
-/// The heights of a heightmap. Pictures of any size will do; where there would be more than 1025
-/// points on a side, 1025 are taken.
+/// The heights of a heightmap. Pictures may have any size; the grid has at most 1025 points on a
+/// side.
 /// @throws Error naming the picture
 [[nodiscard]] HeightGrid readHeights(const Heightmap& heightmap);
 
-/// Its triangles, for collisions. A texture is repeated each metre.
+/// The heightmap's triangles, for collisions. A texture repeats every metre.
 /// @throws Error as readHeights
 [[nodiscard]] std::shared_ptr<const Mesh> heightmapMesh(const Heightmap& heightmap);
 
-/// Its triangles in its textures: the lowest one opaque, then each further one over it, with the
-/// colours' alpha as its weight at each point, where it has any. Without textures, in `plain`.
-/// @param missing  gets each picture that is missing and left out
+/// The heightmap's triangles in its textures: the lowest one opaque, then each further one over it,
+/// with its weight at each point as the alpha of the mesh's colours, where that weight is above 0.
+/// Without textures, in `plain`.
+/// @param missing  called for each picture that is missing and left out
 /// @throws Error as readHeights
 [[nodiscard]] std::vector<Surface> heightmapSurfaces(const Heightmap& heightmap,
                                                      const Material& plain, TextureLoader& textures,

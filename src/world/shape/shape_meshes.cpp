@@ -17,15 +17,15 @@
 namespace synthetic_dataset::world {
 namespace {
 
-// Where Gazebo puts pictures on its round shapes (gazebo/common/MeshManager.cc, CreateSphere and
-// CreateCylinder, which gz-sim has taken over).
+// How Gazebo maps pictures onto its round shapes (gazebo/common/MeshManager.cc, CreateSphere and
+// CreateCylinder, adopted by gz-sim).
 
-/// A point of a surface in its picture.
+/// The texture coordinates of a point of a surface.
 struct PicturePoint {
   enum class Column {
-    kTurns,  ///< u counts turns; where it jumps by a whole one, the picture's edges meet
-    kFixed,  ///< u, for whatever triangle
-    kAny,    ///< of a pole, where all columns of the picture meet
+    kTurns,  ///< u counts turns; where it jumps by a whole turn, the picture's edges meet
+    kFixed,  ///< u is the same for all triangles
+    kAny,    ///< a pole, where all columns of the picture meet
   };
 
   float u;
@@ -33,7 +33,7 @@ struct PicturePoint {
   Column column = Column::kTurns;
 };
 
-/// Turns from one axis towards another, 0 to 1.
+/// The angle from one axis towards another in turns, 0 to 1.
 float turns(float along, float across) {
   const auto turn = static_cast<float>(std::atan2(across, along) / (2.0 * M_PI));
   return turn < 0.0F ? turn + 1.0F : turn;
@@ -42,7 +42,8 @@ float turns(float along, float across) {
 using Column = PicturePoint::Column;
 using Corners = std::array<PicturePoint, 3>;
 
-/// The corners of a triangle on one sheet of the picture: each within half a turn of its middle.
+/// Moves the corners of a triangle by whole turns, so that each is within half a turn of its
+/// middle; a pole is given the mean u of the others.
 void joinTurns(Corners& corners, const PicturePoint& middle) {
   float sum = 0.0F;
   int count = 0;
@@ -57,8 +58,8 @@ void joinTurns(Corners& corners, const PicturePoint& middle) {
   }
 }
 
-/// A sphere about the origin: the picture goes around the y axis, from z to x, its upper edge at
-/// +y.
+/// For a sphere centred at the origin: the picture is wrapped around the y axis, from z to x, with
+/// its upper edge at +y.
 PicturePoint aroundY(const Eigen::Vector3f& position, const Eigen::Vector3f& /*normal*/) {
   const float across = std::hypot(position.x(), position.z());
   const float v = static_cast<float>(std::atan2(across, position.y()) / M_PI);
@@ -67,17 +68,17 @@ PicturePoint aroundY(const Eigen::Vector3f& position, const Eigen::Vector3f& /*n
   return {turns(position.z(), position.x()), v, is_pole ? Column::kAny : Column::kTurns};
 }
 
-/// A cylinder about the z axis: the picture goes around it from y to x, its upper edge *below*.
-/// On the upper cap it is drawn together to a fan whose middle is its first pixel; on the lower one
-/// so is its first row.
+/// For a cylinder along the z axis: the picture is wrapped around it from y to x, with its upper
+/// edge at the *bottom*. On the upper cap, it is drawn together to a fan with its first pixel at
+/// the centre; on the lower cap, its first row is.
 PicturePoint aroundCylinder(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) {
   if (position.head<2>().isZero()) return {0.0F, 0.0F, Column::kFixed};
   const bool is_below = normal.z() < 0.0F || (normal.z() == 0.0F && position.z() < 0.0F);
   return {turns(position.y(), position.x()), is_below ? 0.0F : 1.0F};
 }
 
-/// Gives a mesh the texture coordinates of `wrapping`. Triangles stay where they are; vertices at
-/// which the picture's edges meet are doubled.
+/// Gives a mesh the texture coordinates of `wrapping`. Triangles are not moved; vertices at which
+/// the picture's edges meet are duplicated.
 void wrapAsGazebo(Mesh& mesh, PicturePoint (*wrapping)(const Eigen::Vector3f& position,
                                                        const Eigen::Vector3f& normal)) {
   Mesh wrapped;
@@ -128,7 +129,7 @@ void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) 
   mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// A rectangle with the texture upright on it. @param right, up  half its sides
+/// Adds a rectangle with the texture upright on it. @param right, up  half of its sides
 void addRectangle(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& right,
                   const Eigen::Vector3d& up) {
   const Eigen::Vector3d normal = right.cross(up).normalized();
@@ -140,13 +141,13 @@ void addRectangle(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector
   addTriangle(mesh, first, first + 2, first + 3);
 }
 
-/// A point of the outline that turns about z: distance from the axis, height, and the same two of
-/// its normal; `v` is its texture coordinate.
+/// A point of an outline that is revolved about z: distance from the axis, height, and the same two
+/// for its normal; `v` is its texture coordinate.
 struct OutlinePoint {
   double radius, height, normal_radius, normal_height, v;
 };
 
-/// The surface that an outline sweeps about z. The outline runs from the top down.
+/// Adds the surface of revolution of an outline about z. The outline runs from the top down.
 void addLathe(Mesh& mesh, const std::vector<OutlinePoint>& outline) {
   const auto row = static_cast<std::uint32_t>(kSegments + 1);
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -187,7 +188,7 @@ std::vector<OutlinePoint> roundOutline(double radius, double gap) {
   return outline;
 }
 
-/// A disc that closes a cylinder. @param side  1 for the upper one, -1 for the lower one
+/// Adds a disc that closes a cylinder. @param side  1 for the upper one, -1 for the lower one
 void addDisc(Mesh& mesh, double radius, double height, double side) {
   const Eigen::Vector3d normal(0, 0, side);
   const std::uint32_t centre = add(mesh, {{0, 0, height}, normal, {0.5, 0.5}});

@@ -15,11 +15,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Points nearer than this are one, as in Gazebo [m].
+/// Points closer than this count as one, as in Gazebo [m].
 constexpr double kSamePoint = 1e-4;
 constexpr std::size_t kMostCorners = 5000;
 
-/// Twice the area of the triangle, positive where it runs counter-clockwise.
+/// Twice the area of the triangle, positive if it is counter-clockwise.
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -58,7 +58,7 @@ struct Segment {
   Vector2d from, to;
 };
 
-/// Whether two lines cross within both; ones that only touch do not.
+/// Whether two segments cross in their interiors; ones that only touch do not.
 bool cross(const Segment& a, const Segment& b) {
   const double b_from = turn(a.from, a.to, b.from);
   const double b_to = turn(a.from, a.to, b.to);
@@ -68,7 +68,7 @@ bool cross(const Segment& a, const Segment& b) {
          ((a_from > 0.0 && a_to < 0.0) || (a_from < 0.0 && a_to > 0.0));
 }
 
-/// Whether a line runs through a point between its ends.
+/// Whether a segment passes through a point between its ends.
 bool passes(const Segment& line, const Vector2d& point) {
   const Vector2d along = line.to - line.from;
   const double length = along.norm();
@@ -99,7 +99,7 @@ void requireNoCrossings(const std::vector<Segment>& segments) {
   }
 }
 
-/// Whether a point lies within an outline: how often a ray along x leaves it.
+/// Whether a point lies inside an outline, from how often a ray along x crosses it.
 bool contains(const Outline& outline, const Vector2d& point) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -112,8 +112,8 @@ bool contains(const Outline& outline, const Vector2d& point) {
   return inside;
 }
 
-/// Whether `outer` encloses `inner`, which it does not cross. Most points decide, since some may
-/// lie on the outer line itself.
+/// Whether `outer` encloses `inner`, which it does not cross. The majority of points decides, since
+/// some may lie on the outer line itself.
 bool encloses(const Outline& outer, const Outline& inner) {
   std::size_t within = 0;
   for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -122,7 +122,7 @@ bool encloses(const Outline& outer, const Outline& inner) {
   return 2 * within > inner.size() && std::abs(twiceArea(outer)) > std::abs(twiceArea(inner));
 }
 
-/// The filled area that one outline encloses: the numbers of its points and those of its holes.
+/// The filled area that one outline encloses: the indices of its points and of those of its holes.
 struct Area {
   std::vector<std::size_t> outer;
   std::vector<std::vector<std::size_t>> holes;
@@ -163,7 +163,7 @@ class EarClipper {
   std::size_t after(std::size_t i) const { return ring_[(i + 1) % ring_.size()]; }
   const Vector2d& at(std::size_t point) const { return points_[point]; }
 
-  /// Whether a line from the ring's i-th corner to a point begins within the area.
+  /// Whether a line from the ring's i-th corner to a point starts inside the area.
   bool opensTo(std::size_t i, const Vector2d& point) const {
     const Vector2d& corner = at(ring_[i]);
     const bool left_of_next = turn(corner, at(after(i)), point) > 0.0;
@@ -181,7 +181,8 @@ class EarClipper {
     return false;
   }
 
-  /// Joins the i-th hole, from its rightmost point, to the nearest corner that can be seen from it.
+  /// Joins the i-th hole, from its rightmost point, to the nearest corner that is visible from
+  /// there.
   void join(const std::vector<std::vector<std::size_t>>& holes, std::size_t i) {
     const std::vector<std::size_t>& hole = holes[i];
     const Vector2d& start = at(hole.front());
@@ -211,7 +212,7 @@ class EarClipper {
     return std::nullopt;
   }
 
-  /// A corner that leads straight on, or straight back.
+  /// A corner at which the ring goes straight on, or straight back.
   std::optional<std::size_t> findFlat() const {
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       const Vector2d& a = at(before(i));
@@ -231,7 +232,7 @@ class EarClipper {
     return true;
   }
 
-  /// Whether the ring runs into a triangle at a corner; it may touch it from outside.
+  /// Whether the ring enters a triangle at a corner; it may touch it from outside.
   bool blocks(std::size_t corner, const std::array<std::size_t, 3>& triangle) const {
     const Vector2d& p = at(ring_[corner]);
     for (std::size_t side = 0; side < 3; ++side) {

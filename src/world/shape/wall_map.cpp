@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostBoxes = 200000;
 
-/// Columns and rows of a picture, the end not included.
+/// A range of columns and rows of a picture; `right` and `bottom` are not included.
 struct Block {
   int left, right, top, bottom;
 };
@@ -59,7 +59,7 @@ std::vector<Block> wallsOfRow(const cv::Mat& picture, const WallMap& map, int to
 std::vector<Block> wallsOf(const cv::Mat& picture, const WallMap& map) {
   const int side = std::max(1, static_cast<int>(std::sqrt(std::max(1, map.granularity))));
   std::vector<Block> walls;
-  std::map<std::pair<int, int>, std::size_t> above;  // which wall ends here, by its columns
+  std::map<std::pair<int, int>, std::size_t> above;  // the wall that ends here, by its columns
   for (int top = 0; top < picture.rows; top += side) {
     std::map<std::pair<int, int>, std::size_t> here;
     for (const Block& wall : wallsOfRow(picture, map, top, side)) {

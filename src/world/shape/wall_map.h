@@ -7,8 +7,8 @@
 
 namespace synthetic_dataset::world {
 
-/// SDF's <image>: walls where a picture is dark. A pixel is a square with the picture's first one
-/// at the origin, columns along x and rows along y, as Gazebo's MapShape lays them out.
+/// SDF's <image>: walls where a picture is dark. Each pixel is a square; the first one is at the
+/// origin, columns run along x and rows along y, as in Gazebo's MapShape.
 struct WallMap {
   std::filesystem::path file;
   double scale = 1.0;   ///< length of a pixel's side [m]
@@ -17,8 +17,8 @@ struct WallMap {
   int granularity = 1;  ///< how many pixels share one block, which is a wall if any of them is
 };
 
-/// The walls as boxes, as few as will do by joining blocks along x, then along y.
-/// @throws Error naming the picture where it cannot be read, has no wall or too many
+/// The walls as boxes; blocks are joined along x, then along y, to keep the boxes few.
+/// @throws Error naming the picture if it cannot be read, or has no walls or too many
 [[nodiscard]] std::shared_ptr<const Mesh> wallMesh(const WallMap& map);
 
 }  // namespace synthetic_dataset::world

@@ -20,13 +20,13 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// A number that an element has as an attribute.
+/// A number given as an attribute of an element.
 double numberOf(const Element& element, const char* name, double fallback,
                 const SourceLocation& location, SdfReading& reading) {
   return readNumber(element, name, fallback, location, reading);
 }
 
-/// The joint of one axis that a joint is; nothing for all others.
+/// The motion of a joint with one axis; nothing for all others.
 std::optional<JointMotion> motionOf(const Element& joint, const SourceLocation& location,
                                     SdfReading& reading) {
   const std::string type = joint.attribute("type");
@@ -46,7 +46,7 @@ std::optional<JointMotion> motionOf(const Element& joint, const SourceLocation& 
   return motion;
 }
 
-/// Where a joint that mimics another stands when that one is at 0; identity for all others.
+/// The displacement of a joint that mimics another when that one is at 0; identity for all others.
 Pose restDisplacement(const std::optional<JointMotion>& motion) {
   if (!motion || !motion->mimic) return Pose::Identity();
   if (motion->slides) {
@@ -55,7 +55,7 @@ Pose restDisplacement(const std::optional<JointMotion>& motion) {
   return makePose({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(motion->rest, motion->axis_L)));
 }
 
-/// Whether a joint holds a link so that it never moves against its parent.
+/// Whether a joint is of type fixed. An unknown type is noted, and counts as not fixed.
 bool isFixed(const Element& joint, const SourceLocation& location, SdfReading& reading) {
   const std::string type = joint.attribute("type");
   for (const char* known : {"revolute", "continuous", "prismatic", "floating", "planar"}) {
@@ -67,7 +67,7 @@ bool isFixed(const Element& joint, const SourceLocation& location, SdfReading& r
   return false;
 }
 
-/// The file's inertia if it is one that a body can have; what it does not say of the moments is 0.
+/// The file's inertia, if it has a mass above 0 and moments; moments that the file omits are 0.
 std::optional<Inertia> readInertia(const Element& link, const SourceLocation& location,
                                    SdfReading& reading) {
   const Element inertial = link.child("inertial");
@@ -88,7 +88,7 @@ std::optional<Inertia> readInertia(const Element& link, const SourceLocation& lo
   return inertia;
 }
 
-/// What the `<gazebo>` elements say of each link.
+/// What the `<gazebo>` elements say about each link.
 class GazeboExtensions {
  public:
   GazeboExtensions(const Element& robot, SdfReading& reading) : reading_(reading) {
@@ -98,7 +98,8 @@ class GazeboExtensions {
     }
   }
 
-  /// As in Gazebo, what a `<visual>` says takes the place of a `<material>`, which names one.
+  /// As in Gazebo, the material in a `<visual>` takes precedence over the one that a `<material>`
+  /// names.
   [[nodiscard]] GazeboLook lookOf(const std::string& link, const SourceLocation& location) const {
     GazeboLook look;
     std::string named;
@@ -160,7 +161,7 @@ class GazeboExtensions {
     look.casts_shadow = readBool(visual, "cast_shadows", look.casts_shadow, here, reading_);
   }
 
-  /// Names that only a robot's own scripts know leave the choice to the URDF.
+  /// Nothing for names that only a robot's own scripts define: the URDF's materials are used then.
   [[nodiscard]] std::optional<Material> materialNamed(const std::string& name,
                                                       const SourceLocation& location) const {
     std::optional<Material> material = gazeboMaterial(name, reading_.meshes.textures());
@@ -189,7 +190,7 @@ class LinkReader {
     result.model.name = robot.attribute("name");
   }
 
-  /// @param joint  that holds the link; null: it is the root
+  /// @param joint  the joint that holds the link; null for the root
   void read(const std::string& name, const UrdfJoint* joint, std::optional<std::size_t> parent,
             const Pose& X_MP) {
     const Element& element = tree_.links.at(name);
@@ -197,7 +198,7 @@ class LinkReader {
     link.name = name;
     link.parent = parent;
     link.X_ML = X_MP;
-    if (joint != nullptr) hang(*joint, link);
+    if (joint != nullptr) attach(*joint, link);
     const SourceLocation here = location_.in("link", name);
     const SourceLocation there = locationOf(element, location_, name);
     link.inertia = readInertia(element, there, reading_);
@@ -213,7 +214,8 @@ class LinkReader {
     for (const UrdfJoint& each : below->second) read(each.child, &each, index, X_ML);
   }
 
-  /// A robot whose parts all lie on their sides is hard to explain otherwise.
+  /// Notes meshes that declare y up: a robot whose parts all lie on their sides is hard to explain
+  /// otherwise.
   void noteYUp() const {
     const std::set<std::string>& meshes = shapes_.yUpMeshes();
     if (result.model.links.size() < 2 || meshes.empty()) return;
@@ -228,7 +230,7 @@ class LinkReader {
   UrdfModel result;
 
  private:
-  void hang(const UrdfJoint& joint, Link& link) {
+  void attach(const UrdfJoint& joint, Link& link) {
     const SourceLocation here = locationOf(joint.element, location_, joint.name);
     const auto motion = motionOf(joint.element, here, reading_);
     const Pose X_PJ = readUrdfOrigin(joint.element, here, reading_);
@@ -251,7 +253,7 @@ UrdfModel readUrdfModel(const SdfFile& file, SdfReading& outer) {
   SdfFile prepared;
   if (!prepareUrdf(file, prepared, outer.findings)) return {};
   SdfReading reading = outer;
-  reading.survey = nullptr;  // it is read at once
+  reading.survey = nullptr;  // a URDF is read all at once, without a survey
   const Element robot(&prepared.root(), &prepared);
   const SourceLocation location(file.path.string());
   const auto tree = readUrdfTree(robot, location, reading);

@@ -5,11 +5,11 @@
 
 namespace synthetic_dataset::world {
 
-/// Reads a robot: all its links, those without inertia or visuals too, each at its place with every
-/// joint at 0 (a joint that mimics another at its offset). The model's frame is its root link's.
-/// What Gazebo adds to a link (`<gazebo reference="link">`: its material, its sensors, no gravity)
-/// counts as Gazebo takes it. As with SDF, what cannot be understood costs that alone, with a note;
-/// links that are no tree are an error in the findings of `outer`.
+/// Reads a robot: all its links, including those without inertia or visuals, placed with every
+/// joint at 0 (a joint that mimics another at its offset). The model's frame is that of its root
+/// link. What Gazebo adds to a link (`<gazebo reference="link">`: its material, its sensors, no
+/// gravity) is applied as in Gazebo. As with SDF, an element that cannot be understood is noted,
+/// and affects nothing else; links that do not form a tree are an error in the findings of `outer`.
 [[nodiscard]] UrdfModel readUrdfModel(const SdfFile& file, SdfReading& outer);
 
 }  // namespace synthetic_dataset::world

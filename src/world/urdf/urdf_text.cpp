@@ -25,7 +25,7 @@ void forEachElement(XMLElement& parent, const std::function<void(XMLElement&)>& 
   }
 }
 
-/// What `$(command argument rest)` means, or nothing where only roslaunch or xacro knows.
+/// The value of `$(command argument rest)`, or nothing if only roslaunch or xacro knows it.
 std::optional<std::string> resolved(const std::string& substitution) {
   const std::size_t space = substitution.find(' ');
   if (space == std::string::npos) return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<std::string> resolved(const std::string& substitution) {
   return trimmed(rest.substr(end));
 }
 
-/// The text with each `$(...)` resolved; nothing where one cannot be.
+/// The text with each `$(...)` resolved; nothing if one cannot be.
 std::optional<std::string> withoutSubstitutions(const std::string& text) {
   std::string result;
   std::size_t from = 0;
@@ -56,7 +56,7 @@ std::optional<std::string> withoutSubstitutions(const std::string& text) {
   return result + text.substr(from);
 }
 
-/// Makes one URDF text ready to be read.
+/// Prepares one URDF text for reading.
 class Preparation {
  public:
   Preparation(SdfFile& file, Findings& findings) : file_(file), findings_(findings) {}
@@ -68,7 +68,7 @@ class Preparation {
       const std::string name = child->Name();
       const bool is_read =
           name == "link" || name == "joint" || name == "material" || startsWith(name, "xacro:");
-      if (!is_read) continue;  // it is of another program
+      if (!is_read) continue;  // it belongs to another program
       forEachElement(*child, [&](XMLElement& element) { checkXacro(element); });
       if (sound_) forEachElement(*child, [&](XMLElement& element) { resolveAttributes(element); });
     }
@@ -81,7 +81,7 @@ class Preparation {
   }
 
   void checkXacro(const XMLElement& element) {
-    if (!sound_) return;  // one is enough: the file as a whole is meant
+    if (!sound_) return;  // one error is enough: it concerns the file as a whole
     std::string found = startsWith(element.Name(), "xacro:") ? element.Name() : "";
     for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
          attribute = attribute->Next()) {
@@ -125,7 +125,7 @@ class Preparation {
 
 bool prepareUrdf(const SdfFile& urdf, SdfFile& prepared, Findings& findings) {
   prepared.path = urdf.path;
-  readXml(urdf.text, prepared);  // which went well before
+  readXml(urdf.text, prepared);  // which has succeeded before
   return Preparation(prepared, findings).run();
 }
 

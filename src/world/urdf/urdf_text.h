@@ -5,11 +5,11 @@
 
 namespace synthetic_dataset::world {
 
-/// Resolves what roslaunch and xacro may have left in a URDF: `$(optenv NAME default)` and
-/// `$(env NAME)` from the environment, `$(find package)` and `$(find-pkg-share package)` as
-/// `package://package`. An attribute with anything else of the kind is left out, and noted. Blocks
-/// of other programs (<gazebo>, <transmission>, ...) stay as they are.
-/// @return false where the text has not been through xacro, with the error reported
+/// Resolves what roslaunch and xacro may have left in a URDF: `$(optenv NAME default)` and `$(env
+/// NAME)` from the environment, `$(find package)` and `$(find-pkg-share package)` as
+/// `package://package`. An attribute with any other substitution is left out, and noted. Blocks for
+/// other programs (<gazebo>, <transmission>, ...) stay as they are.
+/// @return false if the text has not been through xacro, with the error reported
 [[nodiscard]] bool prepareUrdf(const SdfFile& urdf, SdfFile& prepared, Findings& findings);
 
 }  // namespace synthetic_dataset::world

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-/// Links below one another; robots have dozens, and what reads their tree calls itself for each.
+/// The longest chain of links; robots have dozens, and the tree is read recursively.
 constexpr std::size_t kDeepestTree = 1000;
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
@@ -26,7 +26,7 @@ class TreeReader {
     if (tree_.links.empty()) error(robot, "has no <link>; a robot has one at least");
     for (const Element& joint : robot.children("joint")) addJoint(joint);
     if (is_sound_) findRoot(robot);
-    if (is_sound_) checkAllHang(robot);
+    if (is_sound_) checkConnected(robot);
     return is_sound_ ? std::optional<UrdfTree>(std::move(tree_)) : std::nullopt;
   }
 
@@ -94,8 +94,8 @@ class TreeReader {
     }
   }
 
-  /// Level by level, as a file can have a chain of any length.
-  void checkAllHang(const Element& robot) {
+  /// Level by level instead of recursively, as a file can have a chain of any length.
+  void checkConnected(const Element& robot) {
     std::set<std::string> reached{tree_.root};
     std::vector<std::string> level{tree_.root};
     std::size_t depth = 0;
@@ -126,7 +126,7 @@ class TreeReader {
   SdfReading& reading_;
   UrdfTree tree_;
   std::set<std::string> joints_;
-  std::map<std::string, std::string> joint_of_;  ///< that holds a link
+  std::map<std::string, std::string> joint_of_;  ///< the joint that holds each link
   bool is_sound_ = true;
 };
 

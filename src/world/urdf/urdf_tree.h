@@ -10,7 +10,7 @@
 
 namespace synthetic_dataset::world {
 
-/// What holds a link to its parent.
+/// The joint between a link and its parent.
 struct UrdfJoint {
   Element element;
   std::string name;
@@ -18,15 +18,15 @@ struct UrdfJoint {
   std::string child;
 };
 
-/// The links of a robot as they hang on one another.
+/// The kinematic tree of a robot.
 struct UrdfTree {
   std::string root;
   std::map<std::string, Element> links;
-  std::map<std::string, std::vector<UrdfJoint>> below;  ///< by parent; in the order of their names
+  std::map<std::string, std::vector<UrdfJoint>> below;  ///< joints by parent link, sorted by name
 };
 
 /// @param robot  the file's root element
-/// @return nothing where the links are no tree, with what is wrong reported
+/// @return nothing if the links do not form a tree, with the reason reported
 [[nodiscard]] std::optional<UrdfTree> readUrdfTree(const Element& robot,
                                                    const SourceLocation& location,
                                                    SdfReading& reading);

@@ -16,7 +16,7 @@
 namespace synthetic_dataset::world {
 namespace {
 
-const Eigen::Vector3d kAsItIs{1, 1, 1};
+const Eigen::Vector3d kUnitScale{1, 1, 1};
 
 bool hasContent(const Element& material) {
   return material.has("color") || material.has("texture");
@@ -27,7 +27,7 @@ std::string nameOr(const Element& element, std::size_t index) {
   return name.empty() ? std::to_string(index + 1) : name;
 }
 
-/// What a geometry does not say, though URDF has no default for it; empty: nothing.
+/// What a geometry lacks or has wrong, if URDF has no default for it; empty if there is nothing.
 std::string missingIn(const Element& owner) {
   using Numbers = std::vector<std::pair<const char*, std::size_t>>;
   static const std::map<std::string, Numbers> kNeeded = {
@@ -51,11 +51,11 @@ std::string missingIn(const Element& owner) {
   return "";
 }
 
-/// Notes what is wrong and left out.
+/// Reads a geometry. One with something missing is left out, with a note.
 std::optional<Geometry> geometryOf(const Element& owner, const SourceLocation& location,
                                    SdfReading& reading) {
   const std::string missing = missingIn(owner);
-  if (missing.empty()) return readGeometry(owner, kAsItIs, location, reading);
+  if (missing.empty()) return readGeometry(owner, kUnitScale, location, reading);
   reading.findings.addNote(location, missing + "; it is left out");
   return std::nullopt;
 }
@@ -94,7 +94,7 @@ void UrdfShapeReader::define(const Element& material) {
   if (!name.empty() && hasContent(material)) materials_.emplace(name, material);
 }
 
-/// As in rviz, a texture takes the place of the colour. Nothing: nobody gives it one.
+/// As in rviz, a texture replaces the colour. Nothing if the file gives neither.
 std::optional<Material> UrdfShapeReader::material(const Element& visual, const SourceLocation& link,
                                                   const SourceLocation& location) {
   Element element = visual.child("material");
@@ -180,7 +180,7 @@ std::vector<Collision> UrdfShapeReader::collisions(const Element& link,
       reading_.findings.addNote(here, missing + "; it is left out");
       continue;
     }
-    auto read = readCollision(elements[i], kAsItIs, here, reading_);
+    auto read = readCollision(elements[i], kUnitScale, here, reading_);
     if (!read) continue;
     read->name = name;
     read->X_LC = readUrdfOrigin(elements[i], here, reading_);

@@ -16,9 +16,9 @@ namespace synthetic_dataset::world {
 [[nodiscard]] Pose readUrdfOrigin(const Element& parent, const SourceLocation& location,
                                   SdfReading& reading);
 
-/// What Gazebo shows a link in, by its `<gazebo reference="...">`.
+/// How Gazebo shows a link, according to its `<gazebo reference="...">`.
 struct GazeboLook {
-  std::optional<Material> material = std::nullopt;  ///< takes the place of all others
+  std::optional<Material> material = std::nullopt;  ///< replaces all others
   float transparency = 0.0F;
   bool casts_shadow = true;
 };
@@ -29,16 +29,17 @@ class UrdfShapeReader {
   /// @param robot  the file's root element, where materials may be defined for all
   UrdfShapeReader(const Element& robot, SdfReading& reading);
 
-  /// URDF's own material is for what has none, as in rviz: a mesh file's materials stand.
+  /// URDF's own material is used for shapes that have none, as in rviz: a mesh file's materials
+  /// take precedence.
   /// @param location  the link's
   [[nodiscard]] std::vector<Visual> visuals(const Element& link, const GazeboLook& look,
                                             const SourceLocation& location);
 
-  /// No picture needs them: a file that is missing is noted, and its collision left out.
+  /// No picture needs collisions: a missing file is noted, and its collision left out.
   [[nodiscard]] std::vector<Collision> collisions(const Element& link,
                                                   const SourceLocation& location);
 
-  /// COLLADA files that say that y points up.
+  /// COLLADA files that declare that y points up.
   [[nodiscard]] const std::set<std::string>& yUpMeshes() const { return y_up_meshes_; }
 
  private:

@@ -32,7 +32,7 @@ std::vector<float> valuesOf(const cv::Mat& depth) {
   return {depth.begin<float>(), depth.end<float>()};
 }
 
-/// As compressed_depth_image_transport writes it: a header of 12 bytes, and a PNG.
+/// A depth image as compressed_depth_image_transport writes it: a header of 12 bytes and a PNG.
 std::vector<std::uint8_t> compressed(const cv::Mat& numbers, float a, float b) {
   std::vector<std::uint8_t> file(12, 0);
   std::memcpy(file.data() + 4, &a, sizeof a);

@@ -8,7 +8,8 @@
 
 namespace synthetic_dataset::test {
 
-/// What zlib finds in a stream, whose sum it checks; nothing where it is damaged.
+/// Decompresses a zlib stream and checks its checksum; returns nothing if it is damaged or does not
+/// have this size.
 [[nodiscard]] inline std::vector<uchar> inflated(const std::vector<uchar>& stream,
                                                  std::size_t size) {
   std::vector<uchar> bytes(size);

@@ -69,7 +69,7 @@ Bytes redDxt1() {
   put(12, 4);
   put(16, 4);
   put(76, 32);           // the pixel format's size
-  put(80, 4);            // it has a code of four letters
+  put(80, 4);            // the format is a four-letter code
   put(84, 0x31545844);   // "DXT1"
   put(108, 0x1000);      // a texture
   put(128, 0x0000F800);  // 5, 6, 5 bits: red, then black
@@ -145,18 +145,19 @@ TEST(PictureDecoder, NamesThePicturesThatItReads) {
   EXPECT_EQ(pixel(decodePicture(pgm, "a.pgm")), cv::Vec4b(7, 7, 7, 255));
 }
 
-/// Of 2 x 2 pixels: half of what is white, white, eight times that, and nothing.
+/// A Radiance file of 2 x 2 pixels: a colour with at most half of white's light, white, a colour
+/// with up to eight times white's light, and black.
 Bytes radiance() {
   const std::string header = "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n";
   Bytes file(header.begin(), header.end());
-  // A number is its byte / 256 times 2 to the power of the last byte - 128.
+  // A channel's value is its byte / 256 * 2^(last byte - 128).
   for (const int byte : {128, 64, 32, 128, 128, 128, 128, 129, 128, 128, 64, 132, 0, 0, 0, 0}) {
     file.push_back(static_cast<std::uint8_t>(byte));
   }
   return file;
 }
 
-/// Of a row of pixels whose red is given, and whose blue is twice that.
+/// An OpenEXR file of one row of pixels with these reds, and blues of twice as much.
 Bytes openExr(const std::vector<float>& reds) {
   const auto width = static_cast<int>(reds.size());
   FIBITMAP* bitmap = FreeImage_AllocateT(FIT_RGBF, width, 1);
@@ -255,7 +256,7 @@ TEST(PictureDecoder, ChecksThatNothingBreaksOffOrClaimsToBeLarge) {
   EXPECT_THAT(problem({}), HasSubstr("the file is empty"));
 }
 
-/// A TGA file of 4 x 2 pixels and nothing behind them.
+/// A TGA file of 4 x 2 pixels with nothing after its content.
 Bytes tgaOf(std::uint8_t kind, std::uint8_t depth, const Bytes& content) {
   const bool has_palette = kind % 8 == 1;
   constexpr std::size_t kHeader = 18;
@@ -271,7 +272,8 @@ Bytes tgaOf(std::uint8_t kind, std::uint8_t depth, const Bytes& content) {
   return file;
 }
 
-/// A DDS file of 8 x 4 pixels, by letters of its code or, without, of 32 bits in rows.
+/// A DDS file of 8 x 4 pixels in the compressed format of a four-letter code or, if that is empty,
+/// in rows of uncompressed 32-bit pixels.
 Bytes ddsOf(const std::string& code, std::size_t content) {
   Bytes file = redDxt1();
   file[16] = 8;
@@ -279,7 +281,7 @@ Bytes ddsOf(const std::string& code, std::size_t content) {
   if (code.empty()) {
     file[80] = 0x40;  // red, green, blue
     file[88] = 32;
-    file[94] = file[97] = file[100] = 0xFF;  // where in 32 bits each is
+    file[94] = file[97] = file[100] = 0xFF;  // the bit mask of each
   }
   file.resize(128 + content, 0);
   return file;
@@ -302,7 +304,7 @@ TEST(PictureDecoder, RefusesTgaThatBreaksOff) {
   expectNeedsAll(tgaOf(2, 24, Bytes(24, 7)), 18, "plain.tga");
   expectNeedsAll(tgaOf(3, 8, Bytes(8, 7)), 18, "grey.tga");
   expectNeedsAll(tgaOf(1, 8, withPalette(Bytes(8, 1))), 18, "palette.tga");
-  // A run of five pixels, then three pixels as they are.
+  // A run of five pixels, then three uncompressed pixels.
   expectNeedsAll(tgaOf(10, 24, {0x84, 1, 2, 3, 0x02, 1, 1, 1, 2, 2, 2, 3, 3, 3}), 18, "run.tga");
   expectNeedsAll(tgaOf(9, 8, withPalette({0x84, 1, 0x02, 0, 1, 0})), 18, "palette run.tga");
 }

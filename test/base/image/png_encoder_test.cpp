@@ -43,7 +43,7 @@ struct Chunk {
   std::vector<uchar> data;
 };
 
-/// ISO/IEC 15948, 5.3: length, type, data and checksum of each, behind a signature of 8 bytes.
+/// ISO/IEC 15948, 5.3: after a signature of 8 bytes, each chunk has a length, type, data, checksum.
 std::vector<Chunk> chunksOf(const std::vector<uchar>& png) {
   std::vector<Chunk> chunks;
   for (std::size_t place = 8; place + 12 <= png.size();) {
@@ -97,7 +97,7 @@ TEST(Png, HoldsWhatCannotBeCompressed) {
   }
 }
 
-/// Runs a function with a stack at another place.
+/// Runs a function in a thread whose stack is at the given place in a fixed piece of memory.
 /// @param place  at most 1023
 void onStackAt(std::size_t place, const std::function<void()>& function) {
   constexpr std::size_t kStack = std::size_t{1} << 20U;
@@ -120,7 +120,8 @@ void onStackAt(std::size_t place, const std::function<void()>& function) {
 }
 
 TEST(Png, IsTheSameWhereverTheStackIs) {
-  // A wall's depth: ISA-L's level 1 made another file of it at one of 200 places.
+  // The depth of a wall, for which ISA-L's level 1 wrote a different file at one of 200 stack
+  // addresses.
   cv::Mat depth(480, 640, CV_16UC1);
   int millimetres = 748;
   for (int row = 0; row < depth.rows; ++row) {

@@ -38,7 +38,7 @@ TEST(RawPicture, OfSixteenBitsHasItsRangeInEight) {
   EXPECT_EQ(first(pictureOf(1, 1, "rgb16", {0xFF, 0xFF, 0, 0, 0, 0})), cv::Vec3b(0, 0, 255));
 }
 
-/// A plain colour, as it falls on a sensor behind a mosaic of filters.
+/// A plain colour as seen by a sensor behind a mosaic of colour filters.
 std::vector<std::uint8_t> mosaic(const std::string& pattern) {
   const std::map<char, std::uint8_t> colour = {{'r', 200}, {'g', 100}, {'b', 10}};
   std::vector<std::uint8_t> data;
@@ -58,7 +58,7 @@ TEST(RawPicture, OfAMosaicHasTheColourThatFellOnIt) {
   }
 }
 
-/// The same in 16 bits, of which the upper ones are those of 8.
+/// The same values in 16 bits: each byte twice, so that the upper byte is the 8-bit value.
 std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& bytes) {
   std::vector<std::uint8_t> wide;
   for (const std::uint8_t each : bytes) wide.insert(wide.end(), {each, each});
@@ -106,7 +106,7 @@ TEST(RawPicture, OfHalfTheColoursHasThemForBothPixels) {
 }
 
 TEST(RawPicture, OfHalfTheColoursIsGreyWhereTheyAreNeutral) {
-  // u y v y, and y u y v; 128 is no colour, and luma 16 to 235 is black to white.
+  // u y v y and y u y v; chroma of 128 is neutral, and luma from 16 to 235 is black to white.
   EXPECT_EQ(first(pictureOf(2, 1, "yuv422", {128, 235, 128, 16})), cv::Vec3b(255, 255, 255));
   EXPECT_EQ(first(pictureOf(2, 1, "yuv422_yuy2", {235, 128, 16, 128})), cv::Vec3b(255, 255, 255));
 }

@@ -40,7 +40,7 @@ Moments momentsOf(const Distribution& distribution, std::uint64_t seed) {
   return moments;
 }
 
-/// How far counts are from those expected; of k counts, k - 1 give or take a few times sqrt(2 k).
+/// How far counts are from those expected: for k counts, k - 1 give or take a few times sqrt(2 k).
 double chiSquared(const std::vector<int>& counts, const std::vector<double>& shares) {
   double sum = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -106,7 +106,7 @@ TEST(Distribution, NormalHasItsMeanAndDeviation) {
 }
 
 TEST(Distribution, NormalIsDrawnAnewBeyondItsBounds) {
-  // Half a normal distribution: of mean sqrt(2 / pi) and variance 1 - 2 / pi, and never heaped up
+  // A half-normal distribution, with mean sqrt(2 / pi), variance 1 - 2 / pi and no values piled up
   // at its bound.
   const Distribution distribution = Distribution::normalBetween({0.0}, {1.0}, {0.0}, {kInfinity});
   const Moments moments = momentsOf(distribution, 6);
@@ -150,7 +150,7 @@ TEST(Distribution, AChoiceTakesEachValueAsItsWeightSays) {
 }
 
 TEST(Distribution, AChoiceNeverTakesAValueOfNoWeight) {
-  // Half of the shares of so small a weight are rounded up to all of it.
+  // A random fraction of so small a weight is rounded up to the whole weight in half of all draws.
   constexpr double kLeast = std::numeric_limits<double>::denorm_min();
   const Distribution distribution = Distribution::choice({{1.0}, {2.0}}, {kLeast, 0.0});
   RandomSource source(18);

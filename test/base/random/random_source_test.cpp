@@ -13,7 +13,7 @@ namespace random_source_test {
 constexpr int kDraws = 100000;
 constexpr double kPi = 3.141592653589793;
 
-/// How far counts are from being equal; of k counts, k - 1 give or take a few times sqrt(2 k).
+/// How far counts are from being equal: for k counts, k - 1 give or take a few times sqrt(2 k).
 double chiSquared(const std::vector<int>& counts, double expected) {
   double sum = 0.0;
   for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
@@ -88,8 +88,8 @@ TEST(RandomSource, DirectionsFillTheSphere) {
 }
 
 TEST(RandomSource, OrientationsFillTheGroupOfRotations) {
-  // Uniform rotations turn by an angle of density (1 - cos angle) / pi, of mean pi / 2 + 2 / pi,
-  // and turn any vector into any direction.
+  // The angles of uniform rotations have the density (1 - cos angle) / pi and the mean
+  // pi / 2 + 2 / pi, and any vector is turned into all directions alike.
   RandomSource source(8);
   double angles = 0.0;
   Eigen::Vector3d turned = Eigen::Vector3d::Zero();
@@ -103,7 +103,7 @@ TEST(RandomSource, OrientationsFillTheGroupOfRotations) {
   EXPECT_LT((turned / kDraws).norm(), 0.01);
 }
 
-/// Of 6 things, 2 at a time: each ordered pair as often as the others.
+/// Drawing 2 of 6 things: each ordered pair comes as often as the others.
 TEST(RandomSource, ChoosesEachPairAsOften) {
   RandomSource source(5);
   std::map<std::pair<std::size_t, std::size_t>, int> counts;

@@ -10,7 +10,7 @@ namespace scene_messages_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// At 1.5 s, with an object of 2 m that is seen at (5, 0, 0).
+/// A scene at 1.5 s, with a visible object of 2 m at (5, 0, 0).
 Scene sceneWithABox() {
   Scene scene(CameraModel(640, 480, {500.0, 510.0, 320.0, 240.0}, 0.05, 100.0));
   scene.stamp = std::chrono::milliseconds(1500);

@@ -107,8 +107,7 @@ TEST(KeptProcess, KeepsNoFileOpen) {
   close(file);
 }
 
-/// Where set, a forked process waits before it has read anything, as for a lock that it has
-/// inherited.
+/// If set, a forked process blocks before it has read anything, as if on a lock that it inherited.
 bool waits_after_fork = false;
 
 TEST(KeptProcess, FailsWhereTheProcessNeverTakesTheRequest) {

@@ -42,7 +42,7 @@ TEST(TryAll, LeavesOutWhatFailsAlone) {
                                    Optional(std::string()), Optional(std::string("d"))));
 }
 
-/// All that shares its process is lost, whichever that is, and nothing that does not.
+/// The pieces that share the crashed process are lost, whichever they are, and no others.
 TEST(TryAll, LosesNoMoreThanOneProcessToACrash) {
   std::vector<SandboxedWork> pieces(9, {[] { return std::string("whole"); }, kTime});
   pieces[4].work = []() -> std::string { std::abort(); };
@@ -51,7 +51,8 @@ TEST(TryAll, LosesNoMoreThanOneProcessToACrash) {
   EXPECT_THAT(results, Each(testing::AnyOf(std::nullopt, Optional(std::string("whole")))));
 }
 
-/// Thrown here, and not by `new` at the limit: AddressSanitizer's ends the process there instead.
+/// The test throws the exception itself, because AddressSanitizer's `new` ends the process at the
+/// limit instead of throwing.
 TEST(TryAll, LeavesOutWhatNeedsTooMuchMemoryAlone) {
   std::vector<SandboxedWork> pieces(5, {[] { return std::string("whole"); }, kTime});
   pieces[2].work = []() -> std::string { throw std::bad_alloc(); };

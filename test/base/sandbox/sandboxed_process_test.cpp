@@ -123,8 +123,8 @@ TEST(SandboxedProcess, WorksBesideOthers) {
   }
 }
 
-/// Work that waits for ever, as it does for a lock that another thread held when the process was
-/// forked, until it is started for the n-th time.
+/// Work that blocks for ever in its first `waits` starts, as if on a lock that another thread held
+/// when the process was forked.
 class WaitingWork {
  public:
   explicit WaitingWork(std::uintmax_t waits) : waits_(waits) {}
@@ -157,7 +157,7 @@ TEST(SandboxedProcess, IsStartedAnewWhereItWaits) {
 TEST(SandboxedProcess, IsNotStartedAnewForEver) {
   const WaitingWork waiting(1000);
   const auto work = [&waiting] {
-    ualarm(200'000, 0);  // it ends by itself, long after it should have been started anew
+    ualarm(200'000, 0);  // ends a process that hangs, long after it should have been restarted
     return waiting();
   };
   EXPECT_THAT(runSandboxed(work, impatient()), VariantWith<Crash>(testing::_));
@@ -182,7 +182,7 @@ TEST(SandboxedProcess, EndsWithTheProgram) {
   ASSERT_EQ(read(ends[0], &begun, 1), 1);
   kill(program, SIGKILL);
   waitpid(program, nullptr, 0);
-  // The pipe ends when nobody has its other end any more.
+  // The pipe hangs up once no process holds its other end any more.
   constexpr int kLong = 30'000;  // [ms]
   pollfd end{ends[0], POLLIN, 0};
   EXPECT_EQ(poll(&end, 1, kLong), 1) << "the work goes on";

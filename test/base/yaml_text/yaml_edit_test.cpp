@@ -31,7 +31,7 @@ std::string removed(const std::string& text, const YamlPath& path) {
   return editYaml(text, "settings.yaml", {{path, std::nullopt}}, {});
 }
 
-/// Every place of a tree, groups too.
+/// Collects the paths of all values in a tree, including groups.
 void collectPaths(const Value& value, const YamlPath& path, std::vector<YamlPath>& paths) {
   if (!path.empty()) paths.push_back(path);
   if (const auto* map = value.as<Value::Map>()) {
@@ -55,7 +55,7 @@ std::vector<YamlPath> pathsOf(const std::string& text) {
   return paths;
 }
 
-/// A tree with one value changed, by a copy of all others.
+/// A copy of a tree with one value changed, or removed if `value` is empty.
 Value copyWith(const Value& tree, const YamlPath& path, std::size_t depth,
                const std::optional<Value>& value) {
   const bool is_last = depth + 1 == path.size();
@@ -116,7 +116,7 @@ void expectText(const std::string& text, const YamlPath& path, const std::option
       << edited;
 }
 
-/// Each value of a text is set to values of all kinds, and removed.
+/// Removes each value of a text, and sets it to values of various kinds.
 void expectEveryEditExact(const std::string& text) {
   const std::vector<Value> values = {
       Value("a text"),
@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(
         "pairs: [a: 1, b: 2]\nempty: {}\nnone: []\ntext: ''\n",
         "a:\n  # first\n  b: 1\n  # last of a\n# of c\nc: 2"));
 
-/// Of lists of points, the first two numbers of the first two points say enough.
+/// In lists of points, testing the first two numbers of the first two points is enough.
 bool isLikeTheOneBefore(const YamlPath& path) {
   return std::any_of(path.begin(), path.end(), [](const YamlStep& step) {
     const auto* index = std::get_if<std::size_t>(&step);
@@ -273,8 +273,8 @@ INSTANTIATE_TEST_SUITE_P(Files, ShippedSettings,
                                          "example_placement.yaml", "example_twin.yaml",
                                          "params.yaml", "randomize_default.yaml"));
 
-/// One change after another, as in a long session: what the text says is what was asked for all the
-/// time, with a new setting or list entry now and then.
+/// One change after another, as in a long session, now and then a new setting or list entry: after
+/// each, the text says exactly what was asked for.
 class LongSession : public testing::TestWithParam<std::string> {};
 
 TEST_P(LongSession, SaysWhatWasAskedForAllTheTime) {

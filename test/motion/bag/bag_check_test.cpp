@@ -22,7 +22,7 @@ using testing::HasSubstr;
 /// Bags with a few bytes changed. librosbag reads beyond its buffers for most of them.
 class BagCheck : public testing::Test {
  protected:
-  /// The content of a bag with two messages in one chunk.
+  /// The content of a bag with two transforms and a calibration in one chunk.
   [[nodiscard]] std::string bag(Compression compression = Compression::kNone) const {
     return test::readFile(BagBuilder(folder_ / "sound.bag", compression)
                               .move("map", "alpha", milliseconds(1000))
@@ -31,7 +31,7 @@ class BagCheck : public testing::Test {
                               .close());
   }
 
-  /// What is said of a bag, of /tf or of its calibration.
+  /// The error of reading a bag's transforms and calibration.
   [[nodiscard]] std::string errorOf(const std::string& content) const {
     const std::string file = folder_.write("changed.bag", content).string();
     try {
@@ -52,7 +52,7 @@ std::string bytes(std::uint32_t number) {
   return text;
 }
 
-/// The content with a number of 4 bytes in another's place.
+/// The content with the 4 bytes at a place replaced by a number.
 std::string with(std::string content, std::size_t place, std::uint32_t number) {
   return content.replace(place, 4, bytes(number));
 }
@@ -94,7 +94,7 @@ TEST_F(BagCheck, RefusesMessagesInTheSamePlace) {
 
 TEST_F(BagCheck, RefusesAnIndexOfAConnectionThatIsNotThere) {
   std::string content = bag();
-  content.replace(indexEntry(content, 0), 8, 8, '\0');  // a time at which librosbag logs the topic
+  content.replace(indexEntry(content, 0), 8, 8, '\0');  // for this time, librosbag logs the topic
   EXPECT_THAT(errorOf(with(content, valueIn(content, '\x04', "conn"), 77)),
               HasSubstr("a connection that is not there"));
 }

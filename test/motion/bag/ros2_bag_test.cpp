@@ -25,7 +25,7 @@ class Ros2BagTest : public ::testing::Test {
     writeSqlite(path(name), content);
     return path(name);
   }
-  /// Where the robot is by x, in the order of record times.
+  /// The robot's x coordinates, in the order of record times.
   static std::vector<double> read(const std::vector<std::string>& bags) {
     std::vector<double> xs;
     readTransforms(bags, [&](const RecordedTransform& each) {

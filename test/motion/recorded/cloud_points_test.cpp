@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 constexpr Stamp kStamp = std::chrono::nanoseconds(1'600'000'000'250'000'000);
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Positions along x, and other fields.
+/// A cloud with positions along x, and with other fields.
 PointCloud2 cloudOf(const std::vector<double>& x, const std::vector<CloudFieldNumbers>& others,
                     ByteOrder order = ByteOrder::kLittle, std::uint32_t height = 1) {
   const std::vector<double> zeros(x.size(), 0.0);

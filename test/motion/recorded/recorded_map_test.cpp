@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 
 class RecordedMapTest : public ::testing::Test {
  protected:
-  /// A map of 3 x 2 cells, of which the first is the one that is given.
+  /// A map of 3 x 2 cells, whose first cell is given.
   static BagBuilder::Map mapAt(std::int64_t recorded_ms, std::int8_t first_cell = 0) {
     BagBuilder::Map map;
     map.recorded = milliseconds(recorded_ms);
@@ -39,7 +39,7 @@ class RecordedMapTest : public ::testing::Test {
     return bag.close();
   }
 
-  /// What is said of a bag with this map only.
+  /// The error of reading a bag with only this map.
   [[nodiscard]] std::string errorOf(const BagBuilder::Map& map) const {
     const std::string bag = bagOf("wrong.bag", {map});
     return messageOf([&] { static_cast<void>(readMap({bag}, "/map")); });
@@ -134,7 +134,7 @@ TEST_F(RecordedMapTest, HasAPlace) {
 }
 
 TEST_F(RecordedMapTest, IsNotTurnedWithoutAnOrientation) {
-  // All of the quaternion's numbers are 0, as a sender leaves them who sets none.
+  // All of the quaternion's numbers are 0, as from a sender that sets no orientation.
   BagBuilder::Map map = mapAt(1000);
   std::string content = test::readFile(bagOf("run.bag", {map}));
   const std::string one("\0\0\0\0\0\0\xF0\x3F", 8);                   // w = 1

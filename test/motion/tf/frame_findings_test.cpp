@@ -65,7 +65,7 @@ TEST(FrameFindings, FindNoFightInNoiseOrATurnBack) {
 
 TEST(FrameFindings, FindNoFightInASwing) {
   constexpr double kTurn = 6.283185307179586;
-  for (const int samples : {7, 8, 10, 14}) {  // in a swing; fewer tell too little
+  for (const int samples : {7, 8, 10, 14}) {  // per swing; fewer are too few to tell
     for (int phase = 0; phase < 20; ++phase) {
       const BagMotion motion = recorded([&](BagBuilder& bag) {
         for (int i = 0; i < 60; ++i) {

@@ -13,7 +13,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// ground -fixed- base -turns about z- upper -slides along x- fore, which `twin` follows by half.
+/// ground -fixed- base -turns about z- upper -slides along x- fore; `twin`, on the base, follows
+/// the slide by half.
 JointedRobot arm() {
   JointedRobot robot{"arm", "arm/base", 1, {}};
   JointedLink ground{"arm/ground"};

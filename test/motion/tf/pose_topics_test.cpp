@@ -29,7 +29,7 @@ class PoseTopicsTest : public ::testing::Test {
     return BagMotion(options);
   }
 
-  /// At time t its x is t in seconds.
+  /// Calls `write` once a second, with a pose whose x is the time in seconds.
   template <class Write>
   void eachSecond(const Write& write) {
     for (int i = 1; i <= 5; ++i) write(milliseconds(1000 * i), poseAt(i, 0, 0));

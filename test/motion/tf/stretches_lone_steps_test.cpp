@@ -43,7 +43,7 @@ TEST_F(LoneStepsTest, TheClockIsThatOfTheWholeRecording) {
 }
 
 TEST_F(LoneStepsTest, WhatIsSentAgainTakesThePlaceOfWhatWasSentBefore) {
-  // Of all parts none has the recording's clock; the second comes nearest.
+  // None of the parts has the recording's clock; the second part comes nearest.
   for (const std::int64_t stamp : {50, 51, 52, 60, 61, 62, 40, 41, 42}) add(stamp);
   EXPECT_THAT(withoutMixedTimes(transforms_, {arrivalOf(3), arrivalOf(6)}, seconds(0)),
               ElementsAre(3, 4, 5));

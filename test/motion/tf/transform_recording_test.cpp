@@ -30,7 +30,7 @@ geometry_msgs::TransformStamped transformAt(std::uint32_t seconds, double x,
   return transform;
 }
 
-/// Recorded one a second from 1000 s on.
+/// Adds a transform; their record times are a second apart, after 1000 s.
 void add(TransformRecording& recording, const geometry_msgs::TransformStamped& transform,
          TransformKind kind) {
   static std::int64_t count = 0;
@@ -162,7 +162,7 @@ TEST(TransformRecording, OfWhatStandsStillWithoutStampsIsKnownAllTheTime) {
 TEST(TransformRecording, DoesNotMindTheStampsOfStaticTransforms) {
   TransformRecording recording;
   auto transform = transformAt(4294967295U, 10.0);
-  transform.header.stamp.nsec = 4294967295U;  // as a damaged message may have it
+  transform.header.stamp.nsec = 4294967295U;  // as in a damaged message
   add(recording, transform, TransformKind::kStatic);
   EXPECT_DOUBLE_EQ(xAt(recording, 500.0), 10.0);
 }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// What making a file throws.
+/// The message of the error that making a file throws.
 std::string failureOf(const std::string& path, const std::string& content) {
   try {
     PendingFile::withBytes(path, content);
@@ -80,7 +80,7 @@ TEST_F(PendingFileTest, SharesContentThroughALink) {
 }
 
 TEST_F(PendingFileTest, IsCopiedWhereALinkIsImpossible) {
-  // A published file has no temporary name any more that could be linked.
+  // A published file no longer has a temporary name that could be linked.
   PendingFile first = PendingFile::withBytes(path("a"), "x");
   first.publish();
   PendingFile second = PendingFile::linkedTo(first, path("b"), "x");
@@ -127,7 +127,7 @@ TEST_F(PendingFileTest, GivesALibraryAFileOfItsOwn) {
   EXPECT_EQ(test::readFile(path("original")), "of a killed run");
 }
 
-/// Somebody who may write into the folder, too, puts a link where a library is about to write.
+/// Someone else with write access to the folder puts a link where a library is about to write.
 TEST_F(PendingFileTest, TakesNothingThatSomebodyElseHasPutInItsPlace) {
   folder_.write("strangers", "of a stranger");
   const auto write = [&](const std::string& name) {

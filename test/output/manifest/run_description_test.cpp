@@ -58,7 +58,7 @@ TEST(CreditInfos, AreTheSameWhereverTheFilesLie) {
 
 TEST(RunDescription, DigestFollowsTheGivenSettingsAndInputs) {
   RunDescription other = someRun();
-  other.settings["seed"].value = "1";  // a default: the software's version tells of it
+  other.settings["seed"].value = "1";  // a default, which the software's version implies
   EXPECT_EQ(settingsDigest(other), settingsDigest(someRun()));
   other.inputs["/data/a.bag"].digest = std::string(64, 'b');
   EXPECT_NE(settingsDigest(other), settingsDigest(someRun()));

@@ -11,7 +11,7 @@ namespace every_format_test {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What has to hold for a dataset of each format that nobody has touched.
+/// Expectations for an unmodified dataset of each format.
 class VerifyEveryFormat : public VerificationTest, public testing::WithParamInterface<FormatCase> {
  protected:
   VerifyEveryFormat() : VerificationTest(GetParam().type, GetParam().has_lidar) {}
@@ -68,7 +68,7 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongAtTheImagesEdge) {
 
 TEST_P(VerifyEveryFormat, FindsNothingWrongWithAHugeLooseBox) {
   Scene scene = sceneOfBoth(0);
-  // Of an object by the near plane, seen through a lens.
+  // Such a box can come from an object at the near plane, seen through a lens.
   scene.objects[0].loose_box = Box{-3.3e21, -7.1e15, 410.5, 300.25};
   write({scene}, GetParam().parameters);
   EXPECT_THAT(problems(), IsEmpty());
@@ -98,7 +98,7 @@ TEST_P(VerifyEveryFormat, FindsNothingWrongWithOddNames) {
   }
   Value::Map parameters = GetParam().parameters;
   for (const char* of_classes : {"class_names", "class_ids", "label_ids"}) {
-    parameters.erase(of_classes);  // which are not there
+    parameters.erase(of_classes);  // they are about classes that this dataset lacks
   }
   write({scene}, parameters);
   EXPECT_THAT(problems(), IsEmpty());
@@ -142,7 +142,7 @@ TEST_P(VerifyEveryFormat, SeesALabelOfAnObjectThatIsNotThere) {
     GTEST_SKIP() << "its labels are those of points, of which the manifest has digests alone";
   }
   write({sceneOfBoth(0), sceneOfBoth(1)}, GetParam().parameters);
-  // The second object is nowhere in scene 1, as the manifest has it now.
+  // Removes the second object from scene 1 in the manifest.
   change(
       "UPDATE scene_object SET x = NULL, y = NULL, z = NULL, qx = NULL, qy = NULL, qz = NULL, "
       "qw = NULL, distance = NULL, in_view = 0, dropped = 1, visible_pixels = 0, silhouette_pixels "

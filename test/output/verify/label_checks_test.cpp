@@ -17,7 +17,7 @@ DrawnLabel found(const std::string& class_name, const Box& box) {
   return label;
 }
 
-/// Of a scene with an object at each of these boxes.
+/// The problems of labels in a scene with an object for each of the `right` ones.
 std::vector<std::string> problemsOf(const std::vector<DrawnLabel>& labels,
                                     const std::vector<DrawnLabel>& right) {
   SceneFacts facts;
@@ -83,7 +83,7 @@ TEST(LabelChecks, CompareMasksPixelByPixel) {
 
 TEST(LabelChecks, ComparePolygonsByWhatTheyEnclose) {
   DrawnLabel label = found("a", {0, 0, 1, 1});
-  // A square of 4 with a hole of 2 that a seam cuts.
+  // A square of 4 x 4 with a hole of 2 x 2, which a seam connects with the outline.
   label.polygons = {
       {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 1}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}, {0, 1}}};
   const DrawnLabel right = label;

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A change of a good manifest, and what is said of it.
+/// A change of a good manifest, and the finding that it causes.
 struct Change {
   std::string name;
   std::string sql;
@@ -212,7 +212,7 @@ const Change kMeasures[] = {
      "1 object 0"},
 };
 
-/// What the tables of this version do not take, so that no such file can be made.
+/// Changes that the tables of this version refuse, so that no such file can be made.
 const Change kNames[] = {
     {"MotionsNames",
      "UPDATE motion SET instant_count = 1; INSERT INTO motion VALUES (1, 'walk', 1, 3)",
@@ -268,7 +268,7 @@ TEST_F(VerifyManifest, GivesNoWriterASceneThatTheRunDoesNotKnow) {
                                  "checked: the run does not know its camera 'rear'")));
 }
 
-/// A manifest as version 0.1 of this software has written it.
+/// A manifest as written by version 0.1 of this software.
 class VerifyEarlierManifest : public VerifyManifest {
  protected:
   VerifyEarlierManifest() {

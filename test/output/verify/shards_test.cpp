@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Shard 0 of 2 of a run of eight scenes: of so few, a block is one.
+/// Shard 0 of 2 of a run of eight scenes; with so few, a block is a single scene.
 class VerifyShard : public VerificationTest {
  protected:
   VerifyShard() : VerificationTest("Coco") {

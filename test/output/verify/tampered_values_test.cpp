@@ -38,10 +38,10 @@ bool isUnchecked(const std::string& format, const std::string& what) {
     std::regex what;
   };
   static const std::vector<Exception> kExceptions = {
-      // A byte more at its end: what is in the bag is the same.
+      // An extra byte at its end does not change what is in the bag.
       {"RosBag", std::regex(R"(dataset\.bag.*)")},
-      // Intensities times 255 do not tell what they were made of, nor categories which object a
-      // point is of.
+      // Intensities times 255 do not reveal what they were made from, nor categories which object a
+      // point belongs to.
       {"NuScenes", std::regex(R"((samples/LIDAR_TOP|lidarseg)/.*\.bin, .*)")},
   };
   return std::any_of(kExceptions.begin(), kExceptions.end(), [&](const Exception& each) {
@@ -80,7 +80,7 @@ json otherValue(const json& value) {
     return number + 0.02 * (1.0 + std::abs(number));
   }
   if (value.is_string()) return value.get<std::string>() + "x";
-  return 0;  // of nothing
+  return 0;  // for null
 }
 
 /// Each leaf changed, and a member added to each object and an entry to each list.
@@ -104,7 +104,7 @@ std::vector<Tampered> ofJson(const std::string& text, const std::string& name) {
           if (value.is_object()) visit(each.value(), place / each.key());
         }
         for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
-          // Of many alike, some: a run length, say.
+          // Only some of many similar entries, such as run lengths.
           if (value.size() > 40 && i % 7 != 0) continue;
           visit(value[i], place / i);
         }
@@ -113,7 +113,7 @@ std::vector<Tampered> ofJson(const std::string& text, const std::string& name) {
   return all;
 }
 
-/// The same of each line of a file.
+/// As ofJson, for each line of a file.
 std::vector<Tampered> ofJsonLines(const std::string& text, const std::string& name) {
   std::vector<Tampered> all;
   std::size_t begin = 0;
@@ -166,11 +166,11 @@ std::vector<Tampered> ofText(const std::string& text, const std::string& name) {
 std::vector<Tampered> ofPicture(const std::string& bytes, const std::string& name) {
   const std::vector<uchar> encoded(bytes.begin(), bytes.end());
   std::vector<Tampered> all;
-  // On the one object, on the other, and on neither.
+  // On one object, on the other, and on neither.
   for (const cv::Rect& square :
        {cv::Rect(14, 14, 8, 8), cv::Rect(209, 34, 8, 8), cv::Rect(80, 70, 8, 8)}) {
     cv::Mat picture = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
-    constexpr int kSmall = 8;  // where squares do not fit, all of it
+    constexpr int kSmall = 8;  // if the squares do not fit, all pixels are changed
     cv::Mat part = picture.cols < kSmall ? picture : picture(square);
     if (picture.depth() == CV_32F) {
       part += cv::Scalar::all(0.25);
@@ -185,7 +185,7 @@ std::vector<Tampered> ofPicture(const std::string& bytes, const std::string& nam
   return all;
 }
 
-/// The numbers of an array of doubles, which stand at the file's end.
+/// The numbers of an array of doubles, which are at the file's end.
 std::vector<Tampered> ofNumbers(const std::string& bytes, const std::string& name) {
   std::vector<Tampered> all;
   for (std::size_t i = 1; i <= 12; ++i) {
@@ -200,7 +200,7 @@ std::vector<Tampered> ofNumbers(const std::string& bytes, const std::string& nam
   return all;
 }
 
-/// The coordinates of points of 16 bytes, and a point more and one less.
+/// The coordinates of points of 16 bytes changed, a point added, and a point removed.
 std::vector<Tampered> ofPoints(const std::string& bytes, const std::string& name) {
   constexpr std::size_t kPoint = 4 * sizeof(float);
   std::vector<Tampered> all = {{name + ", the last point", bytes.substr(0, bytes.size() - kPoint)},
@@ -232,7 +232,7 @@ class TamperedValues : public VerificationTest, public testing::WithParamInterfa
  protected:
   TamperedValues() : VerificationTest(GetParam().type, GetParam().has_lidar) {}
 
-  /// The part of the scene with both objects in it: small pictures are looked at sooner.
+  /// The part of the scene with both objects in it: small pictures are verified faster.
   Scene smallScene() {
     const cv::Rect part(96, 96, 240, 88);
     const Scene whole = sceneOfBoth(0);
@@ -279,7 +279,7 @@ class TamperedValues : public VerificationTest, public testing::WithParamInterfa
   /// Changes every value of every file of a scene.
   void expectThatEachChangeIsSeen(const Scene& scene) {
     write({scene}, GetParam().parameters);
-    change("UPDATE file SET linked_to = NULL");  // each name is changed alone
+    change("UPDATE file SET linked_to = NULL");  // each name is changed by itself
     ASSERT_THAT(problems(), IsEmpty());
     ASSERT_THAT(remarks_, testing::SizeIs(GetParam().remarks));
     std::vector<std::string> unseen;
@@ -313,7 +313,7 @@ INSTANTIATE_TEST_SUITE_P(OtherPackages, TamperedValues,
                              "BoxTable", "box_table_writer/BoxTable", {{"table", "boxes.csv"}}}),
                          [](const auto& format) { return format.param.name; });
 
-/// With a floor, a wall and what is neither; the first object has two parts.
+/// A world with a floor, a wall and pixels of neither; the first object has two parts.
 class TamperedClassesOfTheWorldAndParts : public TamperedValues {};
 
 TEST_P(TamperedClassesOfTheWorldAndParts, AreAllSeen) {

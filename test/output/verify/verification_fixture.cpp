@@ -124,8 +124,8 @@ void VerificationTest::writeUnfinished(const std::vector<Scene>& scenes) {
 }
 
 std::vector<std::string> VerificationTest::problems(VerificationDepth depth) {
-  // Never destroyed: class_loader cannot unload libraries once the program ends, as what it keeps
-  // of them may be gone by then.
+  // Never destroyed: class_loader cannot unload libraries once the program ends, as its own data
+  // about them may be gone by then.
   static WriterLoader& writers = *new WriterLoader({test::pluginXml(), test::examplePluginXml()});
   test::VerificationList listener;
   counts_ = verifyDataset(folder_.path().string(), depth, listener, writers);
@@ -137,7 +137,7 @@ void VerificationTest::change(const std::string& sql, const std::string& manifes
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open((folder_ / manifest).c_str(), &database), SQLITE_OK);
   char* message = nullptr;
-  // As somebody can who means to do damage; without waiting for the disk.
+  // Without constraints, as an attacker could do it, and without waiting for the disk.
   sqlite3_exec(database, "PRAGMA ignore_check_constraints = ON; PRAGMA synchronous = OFF", nullptr,
                nullptr, nullptr);
   EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &message), SQLITE_OK)
@@ -152,7 +152,7 @@ std::string VerificationTest::read(const std::string& name) const {
 
 void VerificationTest::replace(const std::string& path, const std::string& content) const {
   const std::string file = folder() + path;
-  ASSERT_TRUE(std::filesystem::remove(file)) << file;  // it may be a link to another
+  ASSERT_TRUE(std::filesystem::remove(file)) << file;  // it may be a link to another file
   (void)folder_.write("w/" + path, content);
   change("UPDATE file SET linked_to = NULL, bytes = " + std::to_string(content.size()) +
          ", digest = '" + output::digestOf(content) + "' WHERE path = 'w/" + path + "'");

@@ -11,10 +11,10 @@
 
 namespace synthetic_dataset::output {
 
-/// A dataset of one writer, with a manifest as a run writes it, and what `verify` says of it.
+/// A dataset of one writer, with a manifest as a run writes it, and the findings of `verify`.
 ///
-/// There are the objects `a` of class `cup` and `b` of class `jug`, seen at 100, 100 and 300, 120
-/// in pictures of 640 x 480.
+/// The objects are `a` of class `cup` and `b` of class `jug`, seen at (100, 100) and (300, 120) in
+/// pictures of 640 x 480.
 class VerificationTest : public PluginTest {
  protected:
   /// @param has_lidar  whether the run has a lidar, "top"
@@ -28,19 +28,19 @@ class VerificationTest : public PluginTest {
              const std::optional<output::Shard>& shard = std::nullopt);
   void writeUnfinished(const std::vector<Scene>& scenes);
 
-  /// What `verify` finds.
+  /// The problems that `verify` finds.
   [[nodiscard]] std::vector<std::string> problems(
       VerificationDepth depth = VerificationDepth::kLabels);
 
-  /// Changes the manifest, past our own code for it.
+  /// Changes the manifest without our own code for it.
   void change(const std::string& sql, const std::string& manifest = "manifest.sqlite") const;
 
-  /// Writes a file anew, as if the run had written it so: with its manifest's row.
+  /// Writes a file anew as if the run had written it, and updates its row in the manifest.
   /// @param path  below the writer's folder
   void replace(const std::string& path, const std::string& content) const;
   void edit(const std::string& path, const std::function<std::string(std::string)>& edit) const;
 
-  /// The same in place of the first `what` in it.
+  /// Replaces the first `what` in a file in the same way.
   void edit(const std::string& path, const std::string& what, const std::string& instead) const;
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder() + name; }
@@ -48,10 +48,10 @@ class VerificationTest : public PluginTest {
 
   std::vector<std::string> remarks_;     ///< of the last problems()
   VerificationCounts counts_;            ///< of the last problems()
-  std::vector<base::Warning> warnings_;  ///< that each scene written gets
+  std::vector<base::Warning> warnings_;  ///< of each scene that is written
 
  private:
-  /// Every run has a motion; one that the test has not named is of all scenes.
+  /// Adds a motion with all scenes if the test has named none, as every run has one.
   void nameMotion(std::size_t scenes);
   [[nodiscard]] output::RunDescription description(const Value::Map& parameters,
                                                    std::size_t scenes) const;

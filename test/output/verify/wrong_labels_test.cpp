@@ -185,8 +185,8 @@ struct WrongPoses : WrongLabels, testing::WithParamInterface<std::string> {
 
 TEST_P(WrongPoses, AreTold) {
   write();
-  // Scene 1's a is a decimetre farther to the right, as the manifest has it now.
-  // That is sqrt(0.2^2 + 0.2^2 + 10^2) away.
+  // Moves scene 1's `a` a decimetre to the right in the manifest, to a distance of
+  // sqrt(0.2^2 + 0.2^2 + 10^2).
   change(
       "UPDATE scene_object SET x = x + 0.1, distance = 10.00399920031984 WHERE scene = 1 AND "
       "object = 0");

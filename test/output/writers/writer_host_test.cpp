@@ -45,7 +45,7 @@ class WriterHostTest : public testing::Test {
     return output::DatasetStore(options, host.storeWriters());
   }
 
-  /// What a writer with this fault throws when it is given a scene.
+  /// The message of the error that a writer with this fault throws when it is given a scene.
   [[nodiscard]] std::string sceneFailure(const std::string& fault) const {
     const WriterHost host = makeHost({choice("bad", {{"fault", fault}})});
     try {
@@ -56,7 +56,7 @@ class WriterHostTest : public testing::Test {
     return "no error";
   }
 
-  /// What a writer with this fault throws when it is to finish.
+  /// The message of the error that a writer with this fault throws when it has to finish.
   [[nodiscard]] std::string finalFailure(const std::string& fault) const {
     const WriterHost host = makeHost({choice("bad", {{"fault", fault}})});
     output::DatasetStore store = makeStore(host);
@@ -93,8 +93,7 @@ TEST_F(WriterHostTest, GathersFilesRecordsAndWarningsOfAllWriters) {
 }
 
 TEST_F(WriterHostTest, NamesAWriterThatEndsTheProgram) {
-  // The program is started again for this test alone: threads and libraries of others have no part
-  // in it.
+  // The program is started again for this test only, without the threads and libraries of others.
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const WriterHost host = makeHost({choice("bad", {{"fault", "exit"}})});
   EXPECT_EXIT((void)host.writeScene(emptyScene()), testing::ExitedWithCode(1),

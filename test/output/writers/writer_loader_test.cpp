@@ -19,7 +19,7 @@ class WriterLoaderTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { test::preparePluginEnvironment(); }
 
-  /// What making a writer of this type throws.
+  /// The message of the error that making a writer of this type throws.
   static std::string failureOf(const std::vector<std::string>& files, const std::string& type) {
     try {
       WriterLoader loader(files);

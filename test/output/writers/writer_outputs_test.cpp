@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What an action throws.
+/// The message of the error that an action throws.
 template <class Action>
 std::string failureOf(const Action& action) {
   try {
@@ -34,7 +34,7 @@ class WriterOutputs : public testing::Test {
     return (folder_ / name).string();
   }
 
-  /// A text file of a scene of its own.
+  /// Commits a scene with a single text file.
   void commit(std::int64_t scene, std::size_t writer, const std::string& name) {
     store_.commitScene({scene, Stamp{scene}}, {{{writer, path(name), {}, "text", {}}}, {}});
   }

@@ -12,7 +12,7 @@
 
 namespace synthetic_dataset {
 
-/// A dataset of BOP's with a rover and a lift.
+/// A BOP dataset with a rover and a lift.
 class Bop : public PluginTest {
  protected:
   Bop() : PluginTest("synthetic_dataset/Bop") {
@@ -40,7 +40,7 @@ class Bop : public PluginTest {
     return std::filesystem::exists(folder() + file);
   }
 
-  /// The rover and the lift, which stands before pixels of it.
+  /// The rover, and the lift, which hides part of it.
   [[nodiscard]] static std::vector<SceneObject> roverAndLift() {
     SceneObject rover = seen("rover", {100, 80, 50, 40});
     rover.visible_mask = painted(rover.visible_mask(), {100, 80, 20, 40}, false);

@@ -350,7 +350,7 @@ TEST_F(Bop, AnnotatesForCocoWithVisibleMasksInSilhouettesBoxes) {
   const json& annotation = coco.at("annotations").at(0);
   EXPECT_EQ(annotation.at("bbox"), json({0, 0, 2, 2}));
   EXPECT_EQ(annotation.at("area"), 4);
-  // Zeros first: none; two rows of a column of 480, twice, and the rest.
+  // A run of zeros comes first, here empty; then two rows of a column of 480, twice, and the rest.
   EXPECT_EQ(annotation.at("segmentation").at("counts"), json({0, 2, 478, 2, 638 * 480 + 478}));
   EXPECT_EQ(annotation.at("segmentation").at("size"), json({480, 640}));
   EXPECT_EQ(coco.at("images").at(0).at("file_name"), "rgb/000000.png");

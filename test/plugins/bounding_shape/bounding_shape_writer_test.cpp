@@ -14,7 +14,7 @@ class BoundingShape : public PluginTest {
  protected:
   BoundingShape() : PluginTest("synthetic_dataset/BoundingShape") {}
 
-  /// A scene that knows frame `sensor`: 1 m along map's x axis, turned a quarter about z.
+  /// A scene that knows the frame `sensor`: 1 m along the x axis of `map`, a quarter turn about z.
   [[nodiscard]] static Scene sceneWithSensor(std::vector<SceneObject> objects) {
     Scene result = scene(5, std::move(objects));
     result.setTransforms([](const std::string& target, const std::string& source) -> Pose {

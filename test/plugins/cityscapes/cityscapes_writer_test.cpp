@@ -130,11 +130,11 @@ TEST_F(Cityscapes, LabelsClassesOfTheWorld) {
   world(cv::Rect(0, 0, 640, 80)) = 2;
   two.world_map = world;
   EXPECT_EQ(labelAt(two, 0, 0), 6);
-  EXPECT_EQ(labelAt(two, 15, 0), 8);  // after the greatest, 6, the floor's 7
+  EXPECT_EQ(labelAt(two, 15, 0), 8);  // the greatest label is 6, the floor's is 7
   EXPECT_EQ(instanceAt(two, 15, 0), 8);
   EXPECT_EQ(labelAt(two, 15, 100), 0);
   const auto polygons = jsonOf(two, kBase + "polygons.json")["objects"];
-  EXPECT_EQ(polygons[0]["label"], "wall");  // what stands before it is drawn over it
+  EXPECT_EQ(polygons[0]["label"], "wall");  // what is in front of it is drawn over it
   EXPECT_EQ(polygons.size(), 3U);
   runAll({two});
   const auto table = nlohmann::json::parse(test::readFile(folder() + "labels.json"));

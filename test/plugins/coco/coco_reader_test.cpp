@@ -13,7 +13,7 @@ class CocoReader : public ReaderTest {
  protected:
   CocoReader() : ReaderTest("Coco") {}
 
-  /// What is read of images/val/front/0.png, 5 x 4 pixels, with this list of annotations.
+  /// The labels read for images/val/front/0.png, 5 x 4 pixels, with this list of annotations.
   [[nodiscard]] LabelledPicture read(const std::string& annotations) const {
     const std::string train = R"({"images": [{"id": 7, "file_name": "front/9.png"}],
       "annotations": [], "categories": []})";

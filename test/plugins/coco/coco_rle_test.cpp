@@ -8,7 +8,7 @@
 namespace synthetic_dataset::formats::coco {
 namespace coco_rle_test {
 
-// What pycocotools 2.0.11 packs these masks into.
+// These masks as packed by pycocotools 2.0.11.
 
 TEST(CocoRle, UnpacksABlock) {
   const cv::Mat1b mask = maskOfCocoCounts("5220003", {5, 4});

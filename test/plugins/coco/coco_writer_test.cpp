@@ -18,8 +18,8 @@ using testing::IsEmpty;
 using testing::Pair;
 
 /// Unpacks COCO's compressed counts, written from the format's description: letters from '0' on
-/// hold five bits and, in the sixth, whether the number goes on; the last one's highest bit is its
-/// sign.
+/// hold five bits and, in the sixth, whether the number continues; the highest bit of a number's
+/// last letter is its sign.
 std::vector<std::int64_t> unpacked(const std::string& counts) {
   std::vector<std::int64_t> runs;
   std::int64_t number = 0;
@@ -73,7 +73,7 @@ class Coco : public PluginTest {
     dataset_.objects[object].keypoint_count = names.size();
   }
 
-  /// Objects as the dataset has them, each with the pixels.
+  /// A scene with the dataset's first objects at these pixels.
   [[nodiscard]] Scene sceneOf(std::int64_t index, const std::vector<cv::Rect>& pixels) const {
     std::vector<SceneObject> objects;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -264,7 +264,7 @@ TEST_F(Coco, OrdersKeypointsOfAClassByTheirNames) {
   const json annotations = annotationsOf({scene});
   EXPECT_EQ(written("instances_train")["categories"][0]["keypoints"], json({"tip", "heel", "toe"}));
   EXPECT_EQ(annotations[0]["keypoints"], json({11.0, 21.0, 2, 12.0, 22.0, 2, 0.0, 0.0, 0}));
-  EXPECT_EQ(annotations[1]["keypoints"], json::array());  // of a class without
+  EXPECT_EQ(annotations[1]["keypoints"], json::array());  // its class has none
   EXPECT_EQ(annotations[1]["num_keypoints"], 0);
   EXPECT_EQ(annotations[2]["keypoints"], json({0.0, 0.0, 0, 201.0, 21.0, 2, 202.0, 22.0, 1}));
 }
@@ -396,7 +396,7 @@ TEST_F(Coco, HasPartsBelowTheirObject) {
   EXPECT_TRUE(load({}).requirements().part_map);
   Scene scene = sceneOf(0, {{10, 20, 30, 40}, {100, 20, 30, 40}});
   cv::Mat parts = cv::Mat::zeros(480, 640, CV_16UC1);
-  parts(cv::Rect(90, 50, 20, 100)) = 2;  // of which 10 x 10 pixels are the object's
+  parts(cv::Rect(90, 50, 20, 100)) = 2;  // only 10 x 10 of its pixels are the object's
   scene.part_map = parts;
   runAll({scene});
   const json annotations = written("instances_train")["annotations"];
@@ -413,7 +413,7 @@ TEST_F(Coco, RefusesABackgroundThatIsAClass) {
   EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("w/background: found 'cup'")));
 }
 
-/// As detectron2's Keypoints: all lists of an image make one array.
+/// As for detectron2's Keypoints, where all lists of an image make one array.
 TEST_F(Coco, GivesAllAnnotationsAsManyKeypointsWhenAskedTo) {
   giveKeypoints(0, {"tip", "heel"});
   giveKeypoints(1, {"fork"});

@@ -13,7 +13,7 @@ class ImageFolderReader : public ReaderTest {
  protected:
   ImageFolderReader() : ReaderTest("ImageFolder") {}
 
-  /// What is read of val/front/0.png, 8 x 4 pixels.
+  /// The labels read for val/front/0.png, 8 x 4 pixels.
   [[nodiscard]] LabelledPicture read(const std::string& metadata) const {
     (void)folder_.write("val/metadata.jsonl", metadata);
     cv::Mat1w instances(4, 8, std::uint16_t{0});

@@ -254,7 +254,7 @@ TEST_F(Kitti, ListsNoImageWithoutLabelsAsOpenPcdetCannotLoadIt) {
   EXPECT_THAT(host.writeScene(empty).warnings, ElementsAre(HasSubstr("left out of ImageSets")));
 }
 
-/// The numbers of a scanner's file.
+/// The numbers in the file of a scan.
 std::vector<float> scanIn(const std::string& bytes) {
   std::vector<float> numbers(bytes.size() / sizeof(float));
   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(float));
@@ -316,7 +316,7 @@ TEST_F(Kitti, HasTheScansPointsOnABoxsFacesInIt) {
   }
 }
 
-/// OpenPCDet's and MMDetection3D's preparation open all lists, and look for `test` there.
+/// OpenPCDet's and MMDetection3D's preparations open all lists, and expect `test` in `testing`.
 TEST_F(Kitti, HasTheImagesOfTestInTestingToo) {
   dataset_.splits = {{"train", 1}, {"test", 1}};
   load({{"velodyne", "depth"}});

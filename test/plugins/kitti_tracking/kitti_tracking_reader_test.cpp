@@ -30,7 +30,7 @@ TEST_F(KittiTrackingReader, ReadsAFramesBoxes) {
   ASSERT_EQ(read.labels.size(), 2U);
   EXPECT_EQ(read.labels[0].caption, "Car 5");
   EXPECT_EQ(read.labels[0].box->left, 9.5);
-  // As KITTI's objects: the upper far edge is 10 m away.
+  // As for KITTI's objects, the upper far edge is 10 m away.
   EXPECT_TRUE(hasLine(read.labels[0], {40.0, 40.0}, {60.0, 40.0}));
   EXPECT_TRUE(read.labels[1].lines.empty());
 }

@@ -18,7 +18,7 @@ class KittiTracking : public PluginTest {
     dataset_.motions = {{"walk", 0, 4, 5.0}};
   }
 
-  /// A box of 4 x 2 x 1.5 m that stands upright, its x axis the camera's.
+  /// A box of 4 x 2 x 1.5 m that stands upright, its x axis along the camera's.
   [[nodiscard]] static SceneObject upright(const cv::Rect& pixels) {
     SceneObject object = seen("rover", pixels);
     object.cuboid_O = {{-2.0, -1.0, 0.0}, {2.0, 1.0, 1.5}};

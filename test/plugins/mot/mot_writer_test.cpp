@@ -30,7 +30,7 @@ TEST_F(Mot, NumbersFramesTracksAndPixelsFrom1) {
   load({});
   SceneObject half_hidden = seen("b", {100, 50, 20, 10});
   half_hidden.pixels.visible = 100;  // of 200
-  // Pixels 10 to 39 and 20 to 59 are 11 to 40 and 21 to 60 there.
+  // Pixels 10 to 39 and 20 to 59 are 11 to 40 and 21 to 60 in MOTChallenge's files.
   runAll({sceneOf(0, {seen("a", {10, 20, 30, 40}), half_hidden}),
           sceneOf(1, {object("a"), seen("b", {101, 50, 20, 10})})});
   EXPECT_EQ(read("train/camera/gt/gt.txt"),

@@ -7,7 +7,7 @@ namespace nuscenes_samples_test {
 
 using testing::ElementsAre;
 
-/// Instants of one sensor, one each 100 ms.
+/// Instants of one sensor, one every 100 ms.
 class NuScenesSamples : public testing::Test {
  protected:
   NuScenesSamples() {

@@ -277,7 +277,7 @@ TEST_F(PascalVoc, HasPartsInTheirObject) {
                         "\t\t\t\t<xmin>26</xmin>\n\t\t\t\t<ymin>11</ymin>\n"
                         "\t\t\t\t<xmax>30</xmax>\n\t\t\t\t<ymax>30</ymax>\n\t\t\t</bndbox>\n"
                         "\t\t</part>\n\t</object>\n"));
-  // Datumaro refuses a part that the class has not.
+  // Datumaro refuses a part that the class does not have.
   runAll({one});
   EXPECT_THAT(test::readFile(folder() + "labelmap.txt"),
               HasSubstr("\nrobot:128,0,0:fork,mast:\nfork lift:0,128,0::\n"));

@@ -140,7 +140,7 @@ TEST_F(PvNet, ChoosesFarthestPointsBeginningFarthestFromTheCentre) {
   ASSERT_EQ(numbers.size(), 24U);
   for (std::size_t i = 0; i < 24; i += 3) chosen.push_back(numbers[i]);
   // Then, with the distance to the nearest of those: 5 and -4 (4 from the ends), -6 (2), -1 and 2
-  // (1.5 from the centre), 0 and 1 (0.5). Of equally far ones the earlier.
+  // (1.5 from the centre), 0 and 1 (0.5). Of two that are equally far, the earlier comes first.
   EXPECT_THAT(chosen, ElementsAre(-8.0, 9.0, 5.0, -4.0, -6.0, -1.0, 2.0, 0.0));
 }
 

@@ -25,7 +25,7 @@ class CloudFromAboveTest : public testing::Test {
     point.number = number;
   }
 
-  /// The mean place of what is red.
+  /// The mean place of the red pixels.
   [[nodiscard]] cv::Point2d redPlace() const {
     const cv::Mat picture = cloudFromAbove(cloud_, {{1, {kRed, false}}}, kSize).picture;
     cv::Mat red;

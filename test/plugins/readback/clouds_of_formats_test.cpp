@@ -7,7 +7,7 @@
 #include "plugins/plugin_harness.h"
 #include "plugins/readback/format.h"
 
-/// What each format's reader makes of the files that its writer makes of one and the same cloud.
+/// Reads back, with each format's reader, the files that its writer makes of the same cloud.
 namespace synthetic_dataset::formats {
 namespace clouds_of_formats_test {
 

@@ -390,7 +390,7 @@ TEST_F(RosBag, RefusesANameWithAControlCharacter) {
 
 TEST_F(RosBag, TellsOfAFullDiskAndLeavesNoBag) {
   load({{"depth", false}});
-  // The limit of a file's size stands in for a full disk: the bag is larger, the rest is not.
+  // A limit on file size stands in for a full disk: only the bag is larger.
   rlimit old_limit{};
   getrlimit(RLIMIT_FSIZE, &old_limit);
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);

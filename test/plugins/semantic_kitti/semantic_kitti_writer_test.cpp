@@ -24,7 +24,7 @@ class SemanticKitti : public PluginTest {
     dataset_.global_frame = "map";
   }
 
-  /// With a car; the scanner is `x` metres ahead, and the camera looks along x from beside it.
+  /// A scene with a car; the scanner is `x` metres ahead, and the camera beside it looks along x.
   [[nodiscard]] static Scene sceneAt(std::int64_t index, double x) {
     SceneObject car = seen("rover", {100, 80, 50, 40});
     Scene made = withCloud(scene(index, {car}));

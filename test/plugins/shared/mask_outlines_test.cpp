@@ -10,7 +10,7 @@ namespace mask_outlines_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A mask drawn in rows: `#` on it.
+/// A mask drawn in rows: `#` is on.
 cv::Mat1b drawn(const std::vector<std::string>& rows) {
   cv::Mat1b mask(static_cast<int>(rows.size()), static_cast<int>(rows.front().size()),
                  std::uint8_t{0});
@@ -49,7 +49,7 @@ cv::Mat1b filled(const std::vector<masks::Ring>& rings, const cv::Size& size) {
   return mask;
 }
 
-/// As Ultralytics fills an instance's only polygon.
+/// Fills the polygon as Ultralytics does with an instance's only one.
 cv::Mat1b filledWithRim(const masks::Ring& ring, const cv::Size& size) {
   cv::Mat1b mask(size, std::uint8_t{0});
   if (!ring.empty()) cv::fillPoly(mask, std::vector<masks::Ring>{ring}, cv::Scalar(255));
@@ -89,8 +89,8 @@ TEST(EdgeRings, AreNoneOfAnEmptyMask) {
 }
 
 TEST(EdgeRings, CutAHoleByASeamStraightAboveIt) {
-  // Down the seam from (2, 1), around the hole of 2 x 1 pixels against the clock, and up again. The
-  // seam's upper end is passed straight on the way to it.
+  // Down the seam from (2, 1), counterclockwise around the hole of 2 x 1 pixels, and up again. The
+  // outline goes straight on past the seam's upper end.
   EXPECT_THAT(
       masks::edgeRings(Mask(kRing)),
       ElementsAre(ElementsAre(cv::Point(1, 1), cv::Point(2, 1), cv::Point(2, 3), cv::Point(4, 3),
@@ -152,7 +152,7 @@ TEST(CentreRing, JoinsPartsByTheShortestBridge) {
                                 "##....",  //
                                 "......",  //
                                 "##..##"});
-  // Down one pixel, and two to the right.
+  // The bridges are one pixel down and two pixels to the right.
   const cv::Mat1b bridged = filledWithRim(masks::centreRing(Mask(mask)), mask.size());
   EXPECT_EQ(cv::countNonZero(bridged), cv::countNonZero(mask) + 1 + 2);
   EXPECT_EQ(cv::countNonZero(mask & ~bridged), 0);

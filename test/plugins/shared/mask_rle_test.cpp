@@ -53,7 +53,7 @@ TEST(MaskRle, ReadsAPartOfABiggerImage) {
   EXPECT_THAT(runsOf(image(cv::Rect(3, 3, 3, 3))), ElementsAre(4, 1, 4));
 }
 
-// What pycocotools 2.0.11 makes of the same masks.
+// The same masks as encoded by pycocotools 2.0.11.
 
 TEST(MaskRle, PacksASmallBlockAsPycocotools) {
   cv::Mat1b mask = empty(4, 5);

@@ -81,9 +81,9 @@ TEST(OrientedBox, HoldsAllPixelsOfWhatIsWhollyInTheImage) {
 }
 
 TEST(OrientedBox, IsCutBackAtTheImagesEdgeWhereItFitsBadlyOtherwise) {
-  // The same in the image's corner: (0.5, -0.5) and (-0.5, 0.5) would be its corners. Half a step
-  // on they are on the edge. It lacks a triangle of 0.5 of the hull's 5, and has 4.5 of 5.5 in
-  // common with it; the upright square 5 of 9.
+  // The same in the image's corner, where (0.5, -0.5) and (-0.5, 0.5) would be the box's corners.
+  // Moved by half a step, they are on the edge. The box then lacks a triangle of 0.5 of the hull's
+  // 5, an intersection over union of 4.5 / 5.5; that of the upright square would be 5 / 9.
   EXPECT_THAT(orientedBox(Mask(maskOf({{0, 0}, {1, 1}, {2, 2}}))).value(),
               UnorderedElementsAre(At(1, 0), At(3.5, 2.5), At(2.5, 3.5), At(0, 1)));
 }

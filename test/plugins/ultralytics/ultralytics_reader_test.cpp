@@ -24,7 +24,7 @@ TEST_F(UltralyticsReader, ReadsBoxesAndNames) {
   (void)folder_.write("data.yaml", "train: images/train\nnames:\n  0: \"fork \\\"lift\\\"\"\n");
   const DrawnLabel label = read("0 0.5 0.5 0.25 0.5\n");
   EXPECT_EQ(label.caption, "fork \"lift\"");
-  // Centre (100, 50) and size 50 x 50 where pixels' edges are whole: half a pixel less here.
+  // Centre (100, 50) and size 50 x 50 with pixel edges at whole numbers; here, half a pixel less.
   EXPECT_DOUBLE_EQ(label.box->left, 74.5);
   EXPECT_DOUBLE_EQ(label.box->top, 24.5);
   EXPECT_DOUBLE_EQ(label.box->right, 124.5);

@@ -43,8 +43,8 @@ class Ultralytics : public PluginTest {
     return result;
   }
 
-  /// What Ultralytics makes of a line's polygon: points [px] without decimals, and the polygon
-  /// filled with its rim.
+  /// The mask that Ultralytics makes from a line's polygon: points are truncated to whole pixels,
+  /// and the polygon is filled with its rim.
   [[nodiscard]] static cv::Mat filled(const std::string& line) {
     std::vector<cv::Point> points;
     for (const cv::Point2d& point : pointsOf(line)) {
@@ -67,8 +67,8 @@ class Ultralytics : public PluginTest {
 
   [[nodiscard]] static cv::Mat emptyMask() { return {480, 640, CV_8UC1, cv::Scalar(0)}; }
 
-  /// What supervision makes of a line's polygon: rounded points. Where the polygon touches the
-  /// right and the lower side of its box, it reaches a pixel out.
+  /// Checks the mask that supervision makes from a line's polygon, with rounded points. Where the
+  /// polygon touches the right or lower side of its box, it reaches a pixel out.
   static void expectRoundedMask(const std::string& line, const cv::Mat& mask) {
     std::vector<cv::Point> points;
     for (const cv::Point2d& point : pointsOf(line)) {
@@ -114,7 +114,7 @@ TEST_F(Ultralytics, WritesBoxesThatTouchTheImagesEdges) {
   // The last pixel: centre (639.5, 479.5), 1 x 1 pixel.
   EXPECT_EQ(labelsOf({seen("a", {639, 479, 1, 1})}),
             "0 0.99921875 0.99895833 0.00156250 0.00208333\n");
-  // What is in the image of 20 x 20 pixels around its corner: 10 x 10.
+  // Of 20 x 20 pixels around the image's corner, 10 x 10 are in the image.
   EXPECT_EQ(labelsOf({seen("a", {-10, -10, 20, 20})}),
             "0 0.00781250 0.01041667 0.01562500 0.02083333\n");
 }
@@ -213,7 +213,7 @@ TEST_F(Ultralytics, BridgesThePartsOfAMask) {
   cv::Mat mask = emptyMask();
   mask(cv::Rect(10, 10, 20, 20)).setTo(255);
   mask(cv::Rect(34, 10, 20, 20)).setTo(255);
-  // One line; the bridge is a row of the four pixels between.
+  // One line; the bridge is a row of the four pixels in between.
   const std::string labels = labelsOf({masked(mask)});
   EXPECT_EQ(std::count(labels.begin(), labels.end(), '\n'), 1);
   const cv::Mat more = filled(labels) - mask;

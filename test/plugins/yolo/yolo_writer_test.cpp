@@ -60,7 +60,7 @@ TEST_F(Yolo, KeepsTheOrderOfObjects) {
 
 TEST_F(Yolo, CutsBoxesToTheImage) {
   load(parameters());
-  // What is left of it: (0, 0) to (64, 48); and (576, 432) to (640, 480).
+  // What remains in the image: (0, 0) to (64, 48), and (576, 432) to (640, 480).
   EXPECT_EQ(labelOf({-100.0, -50.0, 64.0, 48.0}), "a_class 0.05000 0.05000 0.10000 0.10000\n");
   EXPECT_EQ(labelOf({576.0, 432.0, 900.0, 900.0}), "a_class 0.95000 0.95000 0.10000 0.10000\n");
 }
@@ -88,7 +88,7 @@ TEST_F(Yolo, CountsFromTheImagesEdgeWhenAskedTo) {
   Value::Map edge = parameters();
   edge["pixel_origin"] = "edge";
   load(edge);
-  // Around the middle of the image, which is (319.5, 239.5) where pixels' centres are whole.
+  // Around the middle of the image, (319.5, 239.5) with pixel centres at whole numbers.
   EXPECT_EQ(labelOf({287.5, 191.5, 351.5, 287.5}), "a_class 0.50000 0.50000 0.10000 0.20000\n");
   EXPECT_EQ(labelOf({-20.5, -0.5, 63.5, 47.5}), "a_class 0.05000 0.05000 0.10000 0.10000\n");
 }
@@ -148,7 +148,7 @@ TEST_F(Yolo, RefusesAMainListInThePlaceOfAnotherList) {
   EXPECT_THAT(parameters_.errors(), ElementsAre(HasSubstr("puts another file for Darknet")));
 }
 
-/// How many labels Darknet takes from a file: as read_boxes of its data.c.
+/// How many labels Darknet reads from a file, as in read_boxes of its data.c.
 int readByDarknet(const std::string& labels) {
   std::FILE* file = std::tmpfile();
   std::fputs(labels.c_str(), file);

@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 class StartReportTest : public testing::Test {
  protected:
-  /// Looks at this time.
+  /// Calls look() at this time.
   void lookAt(double time) {
     now_ = time;
     report_.look();

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::programs {
 namespace heap_test {
 
-/// How often the system has had to find memory.
+/// How often the system has had to provide a page of memory.
 long pageFaults() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

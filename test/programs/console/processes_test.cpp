@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
-/// Notes what it is told, and wants an end after so many scenes.
+/// Records what is reported, and requests a stop after a number of scenes.
 class NotingReporter : public run::Reporter {
  public:
   explicit NotingReporter(std::int64_t last_scene = 1000) : last_scene_(last_scene) {}
@@ -41,7 +41,7 @@ class NotingReporter : public run::Reporter {
   std::int64_t last_scene_;
 };
 
-/// Makes scenes until it is to stop, or so many that something must be wrong.
+/// Makes scenes until a stop is requested, or so many that something must be wrong.
 bool workUntilStopped(run::Reporter& reporter) {
   constexpr int kScenes = 60000;
   reporter.progress(0, kScenes);
@@ -90,7 +90,7 @@ TEST_F(Processes, CountTheirScenesTogether) {
   NotingReporter reporter;
   const auto work = [](int index, run::Reporter& told) {
     const std::int64_t count = 2 + index;
-    if (index == 2) return true;  // has nothing to do
+    if (index == 2) return true;  // nothing to do
     for (std::int64_t done = 0; done <= count; ++done) told.progress(done, count);
     return true;
   };
@@ -107,7 +107,7 @@ TEST_F(Processes, StopWhenTheyAreToldTo) {
 }
 
 TEST_F(Processes, AreAllForkedBeforeTheFirstHasItsTurn) {
-  std::string value = "before";  // what this process does meanwhile does not reach them
+  std::string value = "before";  // later changes by this process do not reach them
   class Changing : public NotingReporter {
    public:
     explicit Changing(std::string& value) : value_(value) {}

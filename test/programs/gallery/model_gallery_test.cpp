@@ -26,7 +26,7 @@ std::string modelFile(const std::string& visual) {
 const char* const kBox =
     "<visual name='v'><geometry><box><size>1 2 3</size></box></geometry></visual>";
 
-/// Models in files of their own, with no ROS package to be found.
+/// Models in their own files, with no ROS package to be found.
 class ModelGallery : public ::testing::Test {
  protected:
   void writeModel(const std::string& name, const std::string& content) const {

@@ -15,7 +15,7 @@ using State = PreviewControl::State;
 
 class PreviewControlTest : public ::testing::Test {
  protected:
-  /// The next order, which has to be there.
+  /// The next order, which has to exist.
   PreviewControl::Order next() {
     const auto order = control_.awaitOrder();
     EXPECT_TRUE(order);
@@ -33,7 +33,7 @@ TEST_F(PreviewControlTest, ReadsTheSettingsAndShowsTheFirstInstantAtOnce) {
   EXPECT_TRUE(order.reads_settings);
   EXPECT_EQ(control_.state(), State::kLoading);
   EXPECT_TRUE(control_.awaitTurn(0));
-  EXPECT_EQ(control_.state(), State::kStanding);
+  EXPECT_EQ(control_.state(), State::kPaused);
 }
 
 TEST_F(PreviewControlTest, ShowsAllScenesOfAnInstantTogether) {
@@ -57,7 +57,7 @@ TEST_F(PreviewControlTest, PlaysUntilItPauses) {
   for (int instant = 0; instant < 5; ++instant) EXPECT_TRUE(control_.awaitTurn(instant));
   EXPECT_EQ(control_.state(), State::kPlaying);
   control_.pause();
-  EXPECT_EQ(control_.state(), State::kStanding);
+  EXPECT_EQ(control_.state(), State::kPaused);
 }
 
 TEST_F(PreviewControlTest, LeavesAnOrderForAnother) {

@@ -61,7 +61,7 @@ TEST(PreviewMarkers, ShowNoLabelOfWhatHasNone) {
   EXPECT_EQ(labelMarkers(scene, kFrames).markers.size(), 1u);
 }
 
-/// A pinhole's corner is (320 / 500, 240 / 500, 1) m from it per metre of depth.
+/// Per metre of depth, the corner of a pinhole's view is at (320 / 500, 240 / 500, 1) m from it.
 TEST(PreviewMarkers, ShowWhatTheCameraSees) {
   const Marker view = viewMarker(sceneOf(kPinhole), kFrames);
   ASSERT_FALSE(view.points.empty());

@@ -59,7 +59,7 @@ TEST(DocumentedSettings, ShareTheCommentAboveThem) {
   EXPECT_EQ(settings[2].description, "");
 }
 
-/// A tree with one setting, in a settings file of which it is a part.
+/// The tree of a settings file with one setting, and what it needs to have an effect.
 Value with(const DocumentedSetting& setting, const std::string& mode) {
   const Value value = setting.text.empty() ? Value(Value::Map{}) : setting.value;
   std::vector<std::string> parts;
@@ -72,7 +72,7 @@ Value with(const DocumentedSetting& setting, const std::string& mode) {
       group["motion"] = Value("placement");
       group.at("placement").as<Value::Map>()->emplace("mode", Value(mode));
     }
-    // These mean something beside pictures alone.
+    // These have a meaning only beside pictures.
     if (*part == "background" && tree.is<Value::Map>()) {
       group.at(*part).as<Value::Map>()->emplace("pictures", Value("pictures"));
     }
@@ -89,8 +89,8 @@ Value with(const DocumentedSetting& setting, const std::string& mode) {
   return tree;
 }
 
-/// Whether anybody reads a setting, in one way at least in which scenes are placed and depth
-/// is measured.
+/// Whether a setting is read in at least one of the ways in which scenes are placed and depth is
+/// measured.
 bool isRead(const DocumentedSetting& setting) {
   for (const std::string mode : {"map", "volume", "drop"}) {
     Parameters root(with(setting, mode));
@@ -101,7 +101,8 @@ bool isRead(const DocumentedSetting& setting) {
   return false;
 }
 
-/// Read by others than the configuration: the file's reader, the list of motions, writers.
+/// Whether a setting is not read by the configuration but by the file's reader, the list of motions
+/// or writers.
 bool isOfOthers(const std::string& path) {
   static const std::set<std::string> kGroups = {"include", "motions", "cameras",
                                                 "yolo",    "stvnet",  "bounding_shape"};
@@ -148,7 +149,7 @@ TEST(SettingsDocument, HasTheDefaultsThatTheReadersHave) {
     Parameters both(Value::Map{{"documented", each.value}, {"read", fallback->second}});
     if (fallback->second.is<double>()) {
       EXPECT_EQ(both.required<double>("documented"), both.required<double>("read")) << each.path;
-    } else if (!each.value.is<Value::List>()) {  // an example beside a default that is a word
+    } else if (!each.value.is<Value::List>()) {  // lists are examples beside a default word
       EXPECT_EQ(each.value, fallback->second) << each.path;
     }
     ++count;
@@ -182,7 +183,7 @@ TEST(SettingsSchema, TellsEditorsWhatThereIs) {
   EXPECT_EQ(entry.as<Value::Map>()->at("properties").as<Value::Map>()->count("weight"), 1U);
 }
 
-/// What an editor that follows the schema underlines.
+/// The errors that an editor with the schema underlines.
 void findUnknown(const Value& schema, const Value& value, const std::string& path,
                  std::vector<std::string>& unknown) {
   const auto& rules = *schema.as<Value::Map>();

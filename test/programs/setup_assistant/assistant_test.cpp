@@ -19,7 +19,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// The setup assistant for a small run that is all right.
+/// The setup assistant with a small run without problems.
 class OpenAssistant {
  public:
   Value get(const std::string& path, const std::map<std::string, std::string>& query = {}) {
@@ -139,7 +139,7 @@ TEST(Assistant, ReadsWhatAClickOnAModelMeans) {
                       {"width", Value(200)},      {"x", Value(99.5)},  {"y", Value(74.5)}};
   const Value hit = open.post("/api/pick", click);
   const Value::List p = *memberOf(hit, "p").as<Value::List>();
-  EXPECT_NEAR(0.2, *p[0].as<double>(), 1e-3);  // the box of 0.4 m, seen from where its x points
+  EXPECT_NEAR(0.2, *p[0].as<double>(), 1e-3);  // the box of 0.4 m, seen from its +x
   click["x"] = 1.0;
   EXPECT_TRUE(memberOf(open.post("/api/pick", click), "p").isNull());
 }
@@ -161,7 +161,7 @@ TEST(Assistant, NoticesWhatSomebodyElseWrites) {
   request.method = "GET";
   request.path = "/api/events";
   const auto events = open.assistant.answer(request).events;
-  (void)events->next(std::chrono::seconds(30));  // how it is at the start
+  (void)events->next(std::chrono::seconds(30));  // the state at the start
   open.run.folder().write("settings.yaml", "seed: 7\n");
   EXPECT_EQ(409, statusOf(open, "POST", "/api/undo"));
   EXPECT_EQ(Value("seed: 7\n"), memberOf(memberOf(open.get("/api/state"), "outside"), "text"));
@@ -205,7 +205,7 @@ TEST(Assistant, ShowsNoFileOrVariableThatTheUserHasNotNamed) {
     EXPECT_NE(std::string::npos,
               base::jsonText(open.get("/api/setup")).find("SYNTHETIC_DATASET_TEST_KEY, which"));
   }
-  // Somebody who may start programs as this user may have it shown.
+  // Someone who can start programs as this user may be shown it.
   Assistant again(open.file.string(), {}, EmbeddedFiles());
   HttpRequest request;
   request.method = "GET";

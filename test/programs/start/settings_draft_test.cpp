@@ -76,7 +76,7 @@ TEST_F(SettingsDraftTest, MakeADatasetAsTheyAre) {
 TEST_F(SettingsDraftTest, AreRightWithEachFormatThatThereIs) {
   inputs.formats.clear();
   for (const auto& [name, type] : formats::formatNames()) {
-    // That of a lidar needs a build with Embree.
+    // The format of a lidar needs a build with Embree.
     if (name != "semantic_kitti" || lidar::canCastRays()) inputs.formats.push_back(name);
   }
   EXPECT_THAT(inputs.formats, AllOf(Contains("mot"), Contains("kitti_tracking"),

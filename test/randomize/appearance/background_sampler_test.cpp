@@ -21,7 +21,7 @@ using ::testing::Key;
 using ::testing::UnorderedElementsAre;
 using Projection = world::BackgroundPicture::Projection;
 
-/// A folder of pictures of which each is of one shade of blue.
+/// A folder of pictures, each in a single shade of blue.
 class BackgroundSamplerTest : public ::testing::Test {
  protected:
   void add(const std::string& name, int shade, const cv::Size& size = {8, 4}) const {

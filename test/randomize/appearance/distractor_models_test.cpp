@@ -17,7 +17,7 @@ namespace distractor_models_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A model of a ball that is seen.
+/// A model of a visible ball.
 world::Model ball(const std::string& name) {
   world::Visual visual;
   visual.surfaces.push_back({world::sphereMesh(0.1), {}});

@@ -27,7 +27,7 @@ using ::testing::IsEmpty;
 using ::testing::Key;
 using ::testing::UnorderedElementsAre;
 
-/// What was drawn of a scene: the numbers as they are, a text alone.
+/// The draws of a scene by name: lists of numbers, or a text.
 using Draws = std::map<std::string, std::variant<std::vector<double>, std::string>>;
 
 world::Visual visualOf(const std::string& name, const std::vector<world::Material>& materials) {
@@ -131,7 +131,7 @@ class LookSamplerTest : public ::testing::Test {
     return test::messagesOf([&] { LookSampler sampler(config::readRandomization(root), world); });
   }
 
-  /// A surface of "model::link::visual".
+  /// A surface of the visual named "model::link::visual".
   [[nodiscard]] const world::Surface& surface(const std::string& name,
                                               std::size_t number = 0) const {
     for (const world::LinkInstance& link : world.links()) {
@@ -144,7 +144,7 @@ class LookSamplerTest : public ::testing::Test {
     throw std::out_of_range(name);
   }
 
-  /// What a surface wears, if that is something else than it was made with.
+  /// The material of a surface in a look: another one, or the one that it was made with.
   [[nodiscard]] const world::Material& worn(const world::Look& look, const std::string& name,
                                             std::size_t number = 0) const {
     const world::Material& given = surface(name, number).material;
@@ -169,12 +169,12 @@ class LookSamplerTest : public ::testing::Test {
   world::World world{hall(), {rover("rover_1"), rover("rover_2")}, {}};
 };
 
-/// Where a light of this index shines, in the world.
+/// The direction in which the light of this index shines, in the world.
 Vector3d direction(const world::Look& look, std::size_t light) {
   return look.lights[light].X_WL.linear() * look.lights[light].direction_L;
 }
 
-/// Towards a light that stands at these angles: up from +x by the elevation, then about z.
+/// The direction towards a light at these angles: up from +x by the elevation, then about z.
 Vector3d towards(double elevation, double azimuth) {
   return Eigen::AngleAxisd(azimuth, Vector3d::UnitZ()) *
          (Eigen::AngleAxisd(-elevation, Vector3d::UnitY()) * Vector3d::UnitX());
@@ -234,7 +234,7 @@ TEST_F(LookSamplerTest, LetsSunlightShineFromAnElevationAndAnAzimuth) {
 }
 
 TEST_F(LookSamplerTest, KeepsTheAngleThatHasNoEntry) {
-  // The sun shines along (0.3, 0.4, -1): it stands 0.5 behind the origin and 1 above it.
+  // The sun shines along (0.3, 0.4, -1): it is 0.5 behind the origin and 1 above it.
   const double azimuth = std::atan2(-0.4, -0.3);
   const double elevation = std::atan(1.0 / 0.5);
   EXPECT_TRUE(direction(sample("lights: {sun: {elevation: 0.2}}"), 0)
@@ -378,7 +378,7 @@ TEST_F(LookSamplerTest, PaintsForGazeboClassicToo) {
       "materials: {rover_1::base_link::hull: {colour: [1, 0.5, 0], tint: [0.5, 1, 1],"
       " roughness: 0.5}}");
   EXPECT_EQ(worn(look, "rover_1::base_link::hull").ambient, Vector3f(0.5F, 0.5F, 0.0F));
-  // 2 / alpha^2 - 2 of a roughness squared.
+  // 2 / alpha^2 - 2, where alpha is the roughness squared.
   EXPECT_FLOAT_EQ(worn(look, "rover_1::base_link::hull").shininess, 2.0F / 0.0625F - 2.0F);
 }
 
@@ -546,7 +546,7 @@ TEST_F(LookSamplerTest, DrawsTheSameForTheSameSeedAndScene) {
   EXPECT_NE(draws.at("lights/sun/intensity"), first.at("lights/sun/intensity"));
 }
 
-/// One sampler draws one scene after the other, in whatever order they are made.
+/// One sampler draws the scenes one after the other, in whatever order they are made.
 TEST_F(LookSamplerTest, DrawsASceneTheSameWhateverItDrewBefore) {
   Parameters root(base::parseYaml(std::string("randomize: {") + kMuch + "}", "test"));
   LookSampler sampler(config::readRandomization(root), world);
@@ -583,7 +583,7 @@ TEST_F(LookSamplerTest, DrawsAnEntryTheSameWhateverOthersThereAre) {
   }
 }
 
-// --- Entries that mean nothing ---
+// --- Invalid entries ---
 
 TEST_F(LookSamplerTest, NamesALightThatTheWorldDoesNotHave) {
   EXPECT_THAT(

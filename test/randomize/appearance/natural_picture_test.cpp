@@ -25,7 +25,7 @@ NaturalPicture backgroundOf(std::uint64_t seed) {
   return drawNaturalPicture(random, 320, 256);
 }
 
-/// The mean difference of the channels of two columns.
+/// The mean difference between the channels of two columns.
 double stepBetween(const cv::Mat& picture, int left, int right) {
   return cv::norm(picture.col(left), picture.col(right), cv::NORM_L1) / (3.0 * picture.rows);
 }
@@ -37,8 +37,8 @@ cv::Mat greyOf(const cv::Mat& picture) {
   return grey;
 }
 
-/// The power of which exponent of the frequency the power spectrum follows: a line through its
-/// means over rings, both logarithmic.
+/// The exponent of the frequency that the power spectrum follows: the slope of a line through its
+/// means over rings, with both axes logarithmic.
 double spectralSlope(const cv::Mat& picture) {
   constexpr int kSide = 256;
   cv::Mat grey = greyOf(picture)(cv::Rect(0, 0, kSide, kSide));
@@ -112,7 +112,7 @@ TEST(NaturalPicture, IsTheSameOfTheSameNumbersAndAnotherOfOthers) {
   }
 }
 
-/// Across its border a texture changes no more than it does somewhere inside.
+/// A texture changes no more across its border than somewhere inside.
 TEST(NaturalPicture, RepeatsWithoutASeam) {
   for (std::uint64_t seed = 0; seed < 2 * kPictures; ++seed) {
     const NaturalPicture texture = textureOf(seed, seed % 2 == 0 ? 256 : 512);
@@ -120,7 +120,7 @@ TEST(NaturalPicture, RepeatsWithoutASeam) {
       std::vector<double> inside;
       for (int i = 1; i < picture.cols; ++i) inside.push_back(stepBetween(picture, i - 1, i));
       std::sort(inside.begin(), inside.end());
-      // Where cells meet there is a step in few of the columns.
+      // Few columns have a step where cells meet.
       const double border = stepBetween(picture, picture.cols - 1, 0);
       const double usual = inside[inside.size() / 2];
       EXPECT_LE(border, std::max(1.4 * usual + 0.5, inside.back())) << texture.kind << ", " << seed;
@@ -168,7 +168,7 @@ TEST(NaturalPicture, IsNeitherBlackNorWhiteNorFlat) {
   }
 }
 
-/// Dull for the most part, of many tones, and vivid here and there.
+/// Mostly dull, of many tones, and vivid here and there.
 TEST(NaturalPicture, HasTheColoursOfWhatIsAroundUs) {
   for (const bool is_texture : {true, false}) {
     std::vector<double> tones;

@@ -19,7 +19,7 @@ TEST(NaturalPool, NamesAPictureByWhatItIsAndItsNumber) {
   }
 }
 
-/// What a run draws says nothing of others that it has drawn before.
+/// A picture does not depend on which others the run has drawn before.
 TEST(NaturalPool, HasTheSamePicturesInEachRun) {
   for (const NaturalUse use : {NaturalUse::kTexture, NaturalUse::kBackground}) {
     NaturalPool pool(use);

@@ -115,7 +115,7 @@ Eigen::Vector3d rowColour(const cv::Mat& picture, int row) {
   return sum / picture.cols;
 }
 
-/// How often the lightness changes much from row to row.
+/// How often the lightness changes strongly from row to row.
 int stripeEdges(const cv::Mat& picture) {
   int edges = 0;
   for (int row = 2; row < picture.rows; row += 2) {
@@ -255,7 +255,7 @@ TEST(ObjectVariety, WhatIsInvisibleStaysSo) {
   EXPECT_FALSE(variety.variant(1).shape);
 }
 
-// --- How a model is made ready for paint ---
+// --- How a model is prepared for paint ---
 
 TEST(PaintedModel, FindsThePaintsAndTheStripes) {
   const PaintedModel painted(cone());
@@ -267,7 +267,7 @@ TEST(PaintedModel, FindsThePaintsAndTheStripes) {
   EXPECT_EQ(banded, 1);
 }
 
-/// Each face of a box shows the whole picture: to be painted by place, it needs texels of its own.
+/// Each face of a box shows the whole picture; to be painted by place, it needs its own texels.
 TEST(PaintedModel, UnwrapsWhatShowsTheSameTexelsTwice) {
   world::Model model;
   world::Visual visual;

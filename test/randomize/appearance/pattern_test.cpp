@@ -47,7 +47,7 @@ double distanceToMixture(const cv::Vec4d& pixel, const cv::Vec4d& first, const c
   return cv::norm(pixel - (first + share * way));
 }
 
-/// The two pixels that are farthest from one another: of few, so far less than all pairs.
+/// Two pixels that are far from one another, found without comparing all pairs.
 std::array<cv::Vec4d, 2> extremesOf(const cv::Mat& picture) {
   const auto farthestFrom = [&](const cv::Vec4d& from) {
     cv::Vec4d farthest = from;
@@ -114,7 +114,7 @@ TEST(Pattern, ContinuesAcrossItsEdgesWhereItIsSmooth) {
   EXPECT_GT(smooth, 20);
 }
 
-/// Where a pattern repeats, two of it side by side have no border that one of it has not.
+/// Two copies of a pattern side by side have no edges that a single one does not have.
 TEST(Pattern, RepeatsWholeCheckersStripesAndDots) {
   for (std::uint64_t seed = 0; seed < kPatterns; ++seed) {
     const Pattern pattern = patternOf(seed);
@@ -138,7 +138,7 @@ TEST(Pattern, RepeatsWholeCheckersStripesAndDots) {
   }
 }
 
-/// The lengths of what is of one colour in the first row of a picture that goes on and on.
+/// The lengths of runs of one colour in the first row of a picture that repeats.
 std::vector<int> runsIn(const cv::Mat& picture) {
   std::vector<int> changes;
   for (int column = 0; column < picture.cols; ++column) {

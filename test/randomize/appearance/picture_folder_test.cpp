@@ -89,7 +89,7 @@ TEST_F(PictureFolderTest, NamesAFewOfManyThatAreBroken) {
   EXPECT_EQ(found[4], "found 5 more that cannot be decoded");
 }
 
-/// A file of which all that is read at first is there.
+/// A file whose header, which is read first, is intact.
 TEST_F(PictureFolderTest, NamesThePictureThatProvesBrokenWhenItIsDecoded) {
   add("a.webp", {64, 64});
   constexpr std::size_t kHeader = 32;

@@ -31,7 +31,7 @@ class TextureFolder : public ::testing::Test {
 
   [[nodiscard]] TextureSource source() const { return TextureSource(folder.path().string()); }
 
-  /// The names, below the folder, of what is drawn first from as many sources of random numbers.
+  /// The names, relative to the folder, of the first draws with `count` sources of random numbers.
   static std::vector<std::string> draws(TextureSource source, const fs::path& folder,
                                         int count = 60) {
     std::vector<std::string> names;
@@ -81,7 +81,7 @@ TEST_F(TextureFolder, GivesThePixelsOfTheFileThatItNames) {
   }
 }
 
-/// A disk lists files as it likes, often in the order in which they were made.
+/// File systems list files in any order, often that in which they were made.
 TEST_F(TextureFolder, GivesTheSameWhateverTheOrderOnTheDisk) {
   const test::TemporaryFolder other;
   const std::vector<std::string> names = {"d.png", "a.png", "e/a.png", "c.png", "b.png", "f.png"};

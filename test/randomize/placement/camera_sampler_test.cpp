@@ -22,7 +22,7 @@ using world::at;
 // --- lookingAt ---
 
 TEST(LookingAt, HasTheAxesOfAnOpticalFrame) {
-  // From 3 m before the origin, 1 m up, at what is ahead.
+  // From 3 m before the origin and 1 m up, looking straight ahead.
   const Pose X_GC = lookingAt({-3, 0, 1}, {5, 0, 1}, 0.0);
   EXPECT_TRUE(X_GC.translation().isApprox(Vector3d(-3, 0, 1)));
   EXPECT_TRUE(X_GC.linear().col(0).isApprox(Vector3d(0, -1, 0))) << "x is right";
@@ -45,7 +45,7 @@ TEST(LookingAt, HasTheAimInTheMiddleAndTheHorizonLevel) {
 }
 
 TEST(LookingAt, RollsClockwise) {
-  // A camera that is turned clockwise by a quarter has the horizon's right end where its top is.
+  // A camera turned clockwise by a quarter turn has the right end of the horizon at its top.
   const Pose X_GC = lookingAt({0, 0, 0}, {1, 0, 0}, M_PI / 2);
   EXPECT_TRUE(X_GC.linear().col(0).isApprox(Vector3d(0, 0, -1), 1e-12));
   EXPECT_TRUE(X_GC.linear().col(1).isApprox(Vector3d(0, 1, 0), 1e-12));
@@ -132,7 +132,7 @@ TEST_F(CameraSamplerTest, StaysInItsShellAndLooksAtTheTarget) {
 
 TEST_F(CameraSamplerTest, SeesObjectsOfAllSizesAlikeWithLengthsInSizes) {
   targets = {{"mug", {1, 2, 0.5}, true, 0.1}, {"car", {-4, 0, 0.5}, true, 5.0}};
-  config.is_in_sizes = true;
+  config.is_relative_to_size = true;
   config.distance = Distribution::constant({3.0});
   config.aim_offset = Distribution::constant({0, 0, 0.2});
   config.azimuth = Distribution::constant({0.5});
@@ -186,7 +186,7 @@ TEST_F(CameraSamplerTest, Rolls) {
   EXPECT_LT(X_CR.translation().norm(), 1e-12);
 }
 
-// --- What it looks at ---
+// --- What the camera looks at ---
 
 TEST_F(CameraSamplerTest, LooksAtAnyOfTheObjects) {
   targets = {{"alpha", {0, 0, 0}}, {"bravo", {9, 0, 0}}, {"gamma", {0, 9, 0}}};
@@ -216,7 +216,7 @@ TEST_F(CameraSamplerTest, LooksAtAPoint) {
   EXPECT_TRUE(isAhead(sample(0), {7, 7, 7}));
 }
 
-// --- What it keeps clear of ---
+// --- What the camera keeps clear of ---
 
 TEST_F(CameraSamplerTest, KeepsItsClearanceFromAllThatIsThere) {
   const std::vector<SolidBox> standing = {
@@ -258,7 +258,7 @@ TEST_F(CameraSamplerTest, IsNeverBehindAWall) {
   for (int scene = 0; scene < 1000; ++scene) {
     const Pose X_GC = sample(scene);
     for (const SolidBox& wall : walls) {
-      SolidBox inner = wall;  // rays along its faces may go either way
+      SolidBox inner = wall;  // rays along its faces may hit or miss
       inner.size.array() -= 1e-3;
       ASSERT_FALSE(inner.isBetween(X_GC.translation(), targets[0].centre_G)) << scene;
     }
@@ -293,7 +293,7 @@ TEST_F(CameraSamplerTest, GivesEachSceneCameraAndSeedAPlaceOfItsOwn) {
   EXPECT_FALSE(sample(7, "camera", 2).isApprox(X_GC));
 }
 
-// --- What does not go ---
+// --- What is impossible ---
 
 TEST_F(CameraSamplerTest, NamesWhatIsInTheWay) {
   build({{"block", {20, 20, 20}, at(0, 0, 0)}});

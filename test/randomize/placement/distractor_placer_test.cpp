@@ -47,7 +47,7 @@ class DistractorPlacerTest : public ::testing::Test {
     return made;
   }
 
-  /// The distractors that are there, where the world shows them.
+  /// The distractors that are present, at their places in the world.
   [[nodiscard]] std::vector<SolidBox> shown(const world::World& world) const {
     std::vector<SolidBox> there;
     std::size_t next = 0;
@@ -131,7 +131,7 @@ TEST_F(DistractorPlacerTest, WhatIsDroppedLiesOnSomething) {
     for (std::size_t i = 0; i < there.size(); ++i) {
       poses[static_cast<std::size_t>(numbers[i] - 1)] = there[i].X_GB;
     }
-    // Where they lie they stay.
+    // They stay where they lie.
     const auto later = made.world->dropDistractors(poses, std::chrono::seconds(5));
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       if (!poses[i]) continue;

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 constexpr int kTries = 1000;
 
-/// Rows from the top as one sees them: '.' free, '#' occupied, '?' unknown; cells of 0.5 m.
+/// A map drawn in rows from the top: '.' free, '#' occupied, '?' unknown; cells of 0.5 m.
 OccupancyMap drawn(const std::vector<std::string>& rows, const MapPose& X_GM = {}) {
   std::vector<Cell> cells;
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
@@ -44,8 +44,8 @@ OccupancyMap clutteredMap() {
 
 constexpr double kClutteredRadius = 0.47;  // [m]: 2.35 cells
 
-/// How far a place is from all that is not free, and from what is outside of the map [m]: by
-/// looking at each cell.
+/// The distance from a place to the nearest cell that is not free or outside of the map [m], by
+/// checking each cell.
 double clearanceAt(const OccupancyMap& map, const Vector2d& p_G) {
   const double sine = std::sin(map.pose().yaw);
   const double cosine = std::cos(map.pose().yaw);
@@ -67,14 +67,15 @@ double clearanceAt(const OccupancyMap& map, const Vector2d& p_G) {
   return least * map.resolution();
 }
 
-/// A place of the map, whatever is there.
+/// Any place in the map, free or not.
 Vector2d anyPlace(const OccupancyMap& map, RandomSource& random) {
   const double x = random.uniform(0.0, static_cast<double>(map.width()) * map.resolution());
   const double y = random.uniform(0.0, static_cast<double>(map.height()) * map.resolution());
   return map.toGlobal({x, y});
 }
 
-/// How far counts are from being equal; of k counts, k - 1 give or take a few times sqrt(2 k).
+/// How far counts are from being equal: for k counts, about k - 1, give or take a few times
+/// sqrt(2 k).
 double chiSquared(const std::vector<int>& counts, double expected) {
   double sum = 0.0;
   for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
@@ -92,7 +93,7 @@ TEST(FreePlaces, AreNeverNearerThanTheSafetyRadius) {
     least = std::min(least, clearanceAt(map, *place));
   }
   EXPECT_GE(least, kClutteredRadius - 1e-9);
-  // Nor do they keep a greater distance.
+  // They do not keep a greater distance either.
   EXPECT_LT(least, kClutteredRadius + 0.005);
 }
 
@@ -183,7 +184,7 @@ TEST(FreePlaces, AreTheSameForTheSameSeed) {
 }
 
 TEST(FreePlaces, LieWithinANarrowPassage) {
-  // 5 cells (2.5 m) wide: a disc of 1.2 m has 0.1 m to choose from.
+  // 5 cells (2.5 m) wide: a disc with a radius of 1.2 m has a range of 0.1 m.
   const OccupancyMap map = drawn({
       "############",
       "............",

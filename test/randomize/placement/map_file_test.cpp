@@ -12,7 +12,7 @@ namespace map_file_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// As map_saver writes it.
+/// A file as written by map_saver.
 constexpr char kSaved[] = R"(image: office.pgm
 resolution: 0.050000
 origin: [-12.5, 3.25, 0.5]
@@ -31,7 +31,7 @@ class MapFileTest : public ::testing::Test {
     return test::messagesOf([&] { static_cast<void>(read(text)); });
   }
 
-  /// The one fault of a file, without the file's name, which it has to begin with.
+  /// The only fault of a file, without the file's name, with which its message has to begin.
   [[nodiscard]] std::string faultOf(const std::string& text) const {
     const std::vector<std::string> faults = faultsOf(text);
     const std::string start = (folder / "maps/office.yaml").string() + ": ";

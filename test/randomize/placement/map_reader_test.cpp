@@ -24,7 +24,7 @@ std::string rowOf(const OccupancyMap& map, std::size_t row) {
   return text;
 }
 
-/// A picture of bytes as PGM files have them (netpbm's pgm(5)).
+/// A picture with the bytes of a PGM file (netpbm's pgm(5)).
 std::string pgm(int width, int height, const std::string& bytes) {
   return "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n" + bytes;
 }
@@ -70,9 +70,9 @@ class MapReader : public ::testing::Test {
   test::TemporaryFolder folder;
 };
 
-/// The picture's upper row, then its lower: map_saver's shades of free, unknown and occupied, and
-/// those next to the thresholds. Of (255 - shade) / 255, 206 makes 0.192, which is free; 205 0.196
-/// and a little, 90 0.647, both unknown; 89 0.651, which is occupied.
+/// The picture's upper row, then its lower row: map_saver's shades for free, unknown and occupied,
+/// and the shades next to the thresholds. (255 - shade) / 255 is 0.192 for 206, which is free; just
+/// above 0.196 for 205 and 0.647 for 90, both unknown; and 0.651 for 89, which is occupied.
 const std::vector<int> kShades = {254, 205, 0, 89, 90, 206};
 
 TEST_F(MapReader, HasThePicturesLowestRowFirst) {
@@ -113,7 +113,7 @@ TEST_F(MapReader, TakesWhatScaleGradesForUnknown) {
 }
 
 TEST_F(MapReader, TakesRawShadesForPercentages) {
-  // 19 % and 66 % are beyond the thresholds, 20 % and 65 % are not; what is above 100 is none.
+  // 19 % and 66 % are beyond the thresholds, 20 % and 65 % are not; above 100 is not a percentage.
   const OccupancyMap map = readPgm(8, 1, {0, 19, 20, 65, 66, 100, 101, 255}, "mode: raw\n");
   EXPECT_EQ(rowOf(map, 0), "FFUUOOUU");
 }
@@ -129,7 +129,8 @@ TEST_F(MapReader, AveragesColours) {
 }
 
 TEST_F(MapReader, AveragesAlphaInTrinaryModeOnly) {
-  // Means of the four 213.75, 191.25 and 63.75: 0.162, 0.25 and 0.75; of three 200, 255 and 0.
+  // Means of all four channels: 213.75, 191.25 and 63.75, or 0.162, 0.25 and 0.75; means of three
+  // channels: 200, 255 and 0.
   const std::vector<cv::Vec4b> pixels = {{200, 200, 200, 255}, {255, 255, 255, 0}, {0, 0, 0, 255}};
   EXPECT_EQ(rowOfPng(pixels), "FUO");
   EXPECT_EQ(rowOfPng(pixels, "mode: scale\n"), "UFO");

@@ -22,8 +22,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using world::at;
 
-/// Beyond the mean of a chi-squared statistic by four of its deviations: once in some ten thousand
-/// seeds.
+/// Four standard deviations above the mean of a chi-squared statistic, which is exceeded once in
+/// some ten thousand seeds.
 double atMost(double degrees_of_freedom) {
   return degrees_of_freedom + 4.0 * std::sqrt(2.0 * degrees_of_freedom);
 }
@@ -43,8 +43,8 @@ OccupancyMap clutteredMap() {
   return {60, 40, 0.25, {-5, -4, 0, 0.3}, cells};
 }
 
-/// How far a place is from all that is not free, and from what is outside of the map [m]: by
-/// looking at each cell.
+/// The distance from a place to the nearest cell that is not free or outside of the map [m], by
+/// checking each cell.
 double clearanceAt(const OccupancyMap& map, const Vector2d& p_G) {
   const Vector2d p_M = Eigen::Rotation2Dd(-map.pose().yaw) *
                        Vector2d(p_G.x() - map.pose().x, p_G.y() - map.pose().y);
@@ -76,7 +76,7 @@ class ScenePlacerTest : public ::testing::Test {
     std::unique_ptr<Surroundings> surroundings;
     std::unique_ptr<ScenePlacer> placer;
 
-    /// Of all objects, which take part.
+    /// The poses of all objects, which all have to take part.
     [[nodiscard]] std::vector<Pose> place(std::int64_t scene) const {
       std::vector<Pose> X_GO;
       for (const std::optional<Pose>& each : placer->place(scene)) X_GO.push_back(each.value());
@@ -118,7 +118,7 @@ class ScenePlacerTest : public ::testing::Test {
     return {objects[index].name, objects[index].size, X_GO[index]};
   }
 
-  /// What is said when the first scene, or the placer, is made.
+  /// The errors when the placer or the first scene is made.
   [[nodiscard]] std::vector<std::string> errors() const {
     return test::messagesOf([&] { static_cast<void>(make().place(0)); });
   }
@@ -181,7 +181,7 @@ TEST_F(ScenePlacerTest, KeepsOutOfProps) {
   map = hall(20, 20);
   const SolidBox crate{"crate", {2, 2, 2}, at(-3, -1, 1)};
   props.push_back(crate.model());
-  config.surface.highest = 0.5;  // nobody stands on the crate
+  config.surface.highest = 0.5;  // no object stands on the crate
   const Placer placer = make();
   for (int scene = 0; scene < 100; ++scene) {
     const std::vector<Pose> X_GO = placer.place(scene);
@@ -225,7 +225,7 @@ TEST_F(ScenePlacerTest, TurnsObjectsAnyWay) {
 }
 
 TEST_F(ScenePlacerTest, BeginsAnewWhenTheFirstLeavesTheLastNoPlace) {
-  // A passage of 2.75 m x 1.25 m: where alpha stands near its middle, bravo has no place.
+  // A passage of 2.75 m x 1.25 m: if alpha stands near its middle, there is no place for bravo.
   map = hall(11, 5);
   radii = {0.6, 0.6};
   config.tries = 200;
@@ -447,7 +447,7 @@ TEST_F(ScenePlacerTest, PutsAnObjectThatDoesNotTakePartNowhereAndKeepsNoPlaceFor
   }
 }
 
-// --- What does not go ---
+// --- What is impossible ---
 
 TEST_F(ScenePlacerTest, NamesEachObjectForWhichTheMapHasNoPlace) {
   map = hall(8, 8);  // 2 m x 2 m

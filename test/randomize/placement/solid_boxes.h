@@ -1,6 +1,6 @@
 #pragma once
 
-/// Boxes that are seen and collide, and what follows from their sizes alone.
+/// Visible, colliding boxes, and quantities that follow from their sizes alone.
 
 #include <algorithm>
 #include <memory>
@@ -36,14 +36,14 @@ struct SolidBox {
 
   [[nodiscard]] Cuboid cuboid() const { return {-0.5 * size, 0.5 * size}; }
 
-  /// How far a point is from it [m]; below 0 inside: minus the depth.
+  /// How far a point is from the box [m]; inside, minus its depth.
   [[nodiscard]] double distanceTo(const Eigen::Vector3d& p_G) const {
     const Eigen::Vector3d beyond = Eigen::Vector3d(X_GB.inverse() * p_G).cwiseAbs() - 0.5 * size;
     const double deepest = beyond.maxCoeff();
     return deepest < 0.0 ? deepest : beyond.cwiseMax(0.0).norm();
   }
 
-  /// Whether a straight line between two points meets it (Kay and Kajiya's slabs).
+  /// Whether the straight line between two points hits the box (Kay and Kajiya's slabs).
   [[nodiscard]] bool isBetween(const Eigen::Vector3d& a_G, const Eigen::Vector3d& b_G) const {
     const Eigen::Vector3d a = X_GB.inverse() * a_G;
     const Eigen::Vector3d way = X_GB.inverse() * b_G - a;
@@ -59,7 +59,7 @@ struct SolidBox {
   }
 };
 
-/// How deep one box is inside the other, by points all over the first [m]; below 0: apart.
+/// How deep one box is inside the other [m], by points all over the first; negative if apart.
 [[nodiscard]] inline double depthOf(const SolidBox& one, const SolidBox& other) {
   constexpr int kSteps = 12;
   double depth = -1e9;
@@ -78,7 +78,7 @@ struct SolidBox {
 /// A floor of 40 m x 40 m whose top is at z = 0.
 [[nodiscard]] inline SolidBox floorBox() { return {"floor", {40, 40, 1}, world::at(0, 0, -0.5)}; }
 
-/// A world of boxes that stand and objects that are put somewhere.
+/// A world of static boxes and of objects that are to be placed.
 [[nodiscard]] inline std::unique_ptr<world::World> worldOf(
     const std::vector<SolidBox>& standing, const std::vector<SolidBox>& objects,
     const std::vector<world::Model>& props = {}, bool drops_objects = false,
@@ -96,8 +96,8 @@ struct SolidBox {
                                         options, std::move(others));
 }
 
-/// How far counts are from being equal; of k counts, k - 1 give or take a few times sqrt(2 (k -
-/// 1)).
+/// How far counts are from being equal: for k counts, about k - 1, give or take a few times
+/// sqrt(2 (k - 1)).
 [[nodiscard]] inline double chiSquared(const std::vector<int>& counts) {
   double sum = 0.0;
   for (const int count : counts) sum += count;

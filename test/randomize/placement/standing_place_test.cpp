@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using world::at;
 using world::turnedAt;
 
-/// Its bottom is 0.3 m below its frame's origin.
+/// A box whose bottom is 0.3 m below its frame's origin.
 const Cuboid kBox{{-0.4, -0.2, -0.3}, {0.4, 0.2, 0.7}};
 
 class StandingPlaceTest : public ::testing::Test {
@@ -83,7 +83,7 @@ TEST_F(StandingPlaceTest, LiesInTheRampsPlane) {
   for (const double heading : {-2.0, 0.0, 0.4, 3.0}) {
     const Pose X_RO = ramp.X_GB.inverse() * pose(1.7, 1.5, heading);
     for (const Eigen::Vector3d& corner : kBox.corners()) {
-      // 0.2 m above the ramp's middle is its top: the bottom is there, the top 1 m above.
+      // The ramp's top is 0.2 m above its middle: the box's bottom is there, its top 1 m above.
       const double height = corner.z() < 0.0 ? 0.2 : 1.2;
       EXPECT_NEAR((X_RO * corner).z(), height, 1e-6) << heading;
     }
@@ -97,7 +97,7 @@ TEST_F(StandingPlaceTest, TurnsAboutTheRampsNormal) {
   const Eigen::Matrix3d expected =
       Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   EXPECT_TRUE(X_AB.linear().isApprox(expected, 1e-6));
-  // Without a heading it looks along x, up or down the slope.
+  // Without a heading, the object faces along x, up or down the slope.
   const Eigen::Vector3d ahead = pose(0.5, 0.5).linear() * Eigen::Vector3d::UnitX();
   EXPECT_TRUE(ahead.isApprox(Eigen::Vector3d(std::cos(0.3), 0, -std::sin(0.3)), 1e-6));
 }
@@ -116,7 +116,7 @@ TEST_F(StandingPlaceTest, IsNoneOverNothing) {
 }
 
 TEST_F(StandingPlaceTest, IsNoneOverAnEdge) {
-  // The floor ends at x = 20; the box is 0.4 m long ahead, 0.2 m wide to its side.
+  // The floor ends at x = 20; the box reaches 0.4 m ahead and 0.2 m to each side.
   build({floorBox()});
   EXPECT_EQ(reason(19.59, 0.0), "none");
   EXPECT_THAT(reason(19.61, 0.0), HasSubstr("stuck out over an edge"));

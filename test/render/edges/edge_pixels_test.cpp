@@ -1,4 +1,4 @@
-/// Pixels by an edge, against each pixel's neighbours looked at one by one.
+/// Edge pixels, against a check of each pixel's neighbours one by one.
 
 #include "render/edges/edge_pixels.h"
 
@@ -12,12 +12,12 @@ namespace edge_pixels_test {
 
 const Intrinsics kIntrinsics = {100.0, 100.0, 75.0, 20.0};
 
-/// Of a wall that faces the camera, in spots of two parts.
+/// The geometry of a wall that faces the camera and has spots of a second item.
 GeometryImages spots(const cv::Size& size) {
   GeometryImages images;
   images.items = cv::Mat(size, CV_32SC1, cv::Scalar(1));
   images.depth = cv::Mat(size, CV_32FC1, cv::Scalar(2.0));
-  constexpr int kMinusOne = 0xBC00;  // of 16 bits
+  constexpr int kMinusOne = 0xBC00;  // as a 16-bit float
   images.normals = cv::Mat(size, CV_16UC4, cv::Scalar(0, 0, kMinusOne, 0));
   std::mt19937 random(3);
   for (int i = 0; i < 40; ++i) {

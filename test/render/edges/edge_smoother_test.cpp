@@ -19,7 +19,7 @@ namespace edge_smoother_test {
 
 using test::Stage;
 
-constexpr int kTimes = 8;  // as many pixels along each side
+constexpr int kTimes = 8;  // magnification along each side
 
 const CameraModel kCamera(160, 120, {130.0, 130.0, 79.5, 59.5}, 0.1, 50.0);
 
@@ -95,7 +95,7 @@ TEST_F(SmoothEdges, AreNearlyThoseOfManyMorePixels) {
 
   const double of_centres = cv::norm(centres, truth, cv::NORM_L2);
   EXPECT_LT(cv::norm(smooth, truth, cv::NORM_L2), 0.4 * of_centres);
-  // A quarter of a pixel is what four samples can miss of an edge, and a little for a corner.
+  // Four samples can miss an edge by a quarter of a pixel, and a corner by a little more.
   const cv::Mat off = cv::abs(smooth - truth);
   EXPECT_LT(cv::countNonZero(off.reshape(1) > 0.2), 30);
 }

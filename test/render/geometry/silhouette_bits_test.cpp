@@ -62,7 +62,7 @@ TEST(SilhouetteBits, AreOfNoObjectThatOneCanSeeThroughAndOfNoneBesideTheImage) {
 class Heap : public testing::Test {
  protected:
   static constexpr int kObjects = 14;
-  static constexpr int kOfTwoLinks = 1;  ///< the other one is behind all objects' first ones
+  static constexpr int kOfTwoLinks = 1;  ///< its second link comes after all objects' first links
 
   Heap() {
     world::Material glass;
@@ -83,7 +83,7 @@ class Heap : public testing::Test {
     stage.addBox({0.1, 3, 0.1}, at(0, 0, 1.2));
   }
 
-  /// Moves the objects to their places of a time.
+  /// Moves the objects to where they are at a time.
   void move(unsigned time) {
     std::mt19937 random(time);
     for (int i = 0; i <= kObjects; ++i) {
@@ -93,7 +93,7 @@ class Heap : public testing::Test {
     }
   }
 
-  /// Links of one object, of all that can be drawn.
+  /// Selects the links of one object.
   [[nodiscard]] LinkSelection linksOf(int object) const {
     LinkSelection links(stage.poses().size(), false);
     links[static_cast<std::size_t>(object)] = true;

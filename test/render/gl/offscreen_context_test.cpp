@@ -12,7 +12,7 @@
 namespace synthetic_dataset::render {
 namespace offscreen_context_test {
 
-/// From now on no thread finds room for its stack.
+/// Makes every later thread creation fail for want of room for its stack.
 void runOutOfThreads() {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);

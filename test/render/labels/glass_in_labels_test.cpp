@@ -11,10 +11,11 @@ namespace glass_in_labels_test {
 
 using test::Stage;
 
-/// A lens that bends nothing, whose pixels have rays of their own.
+/// A lens with practically no distortion that still takes the code path with a ray for each pixel.
 const Distortion kSlight{DistortionModel::kPlumbBob, {1e-9, 0.0, 0.0, 0.0, 0.0}};
 
-/// At the left an object behind a pane of the world, at the right one behind the window of another.
+/// On the left an object behind a pane that belongs to the world, on the right an object behind the
+/// window of another object.
 class GlassInLabelsTest : public testing::TestWithParam<bool> {
  protected:
   GlassInLabelsTest() {
@@ -26,7 +27,7 @@ class GlassInLabelsTest : public testing::TestWithParam<bool> {
     addPlate(0.5, 3.0, 2);
   }
 
-  /// A plate of 0.9 m whose front is so far away.
+  /// Adds a plate of 0.9 m whose front is at this distance.
   void addPlate(double x, double distance, int object, const world::Material& material = {}) {
     constexpr double kThickness = 0.01;
     stage_.addBox({0.9, 0.9, kThickness},
@@ -34,7 +35,7 @@ class GlassInLabelsTest : public testing::TestWithParam<bool> {
                   object, material);
   }
 
-  /// What is seen behind the pane and behind the window: id and depth.
+  /// The id and the depth that labels show at the pane and at the window.
   [[nodiscard]] std::array<std::pair<int, float>, 2> seen(GlassInLabels glass) const {
     RenderOptions options;
     options.glass_in_labels = glass;
@@ -80,11 +81,11 @@ TEST_P(GlassInLabelsTest, MayBeClear) {
 
 INSTANTIATE_TEST_SUITE_P(ThroughALens, GlassInLabelsTest, testing::Bool());
 
-/// A plate 2 m away whose picture, blended, is clear at the left and has this alpha at the right;
-/// behind it is the object 5.
+/// A plate 2 m away with a blended texture that is clear on the left and has a given alpha on the
+/// right; behind it is object 5.
 class BlendedPlate : public testing::TestWithParam<bool> {
  protected:
-  /// What is seen at the left and at the right.
+  /// The ids on the left and on the right.
   [[nodiscard]] static std::array<int, 2> seen(int object, std::uint8_t alpha,
                                                GlassInLabels glass) {
     auto texture = std::make_shared<world::Texture>();

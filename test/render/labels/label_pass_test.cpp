@@ -157,7 +157,7 @@ TEST(LabelPass, RangeIsTheDistanceFromTheCamera) {
   }
 }
 
-/// A fisheye in a large cube of six links: all that it sees is known.
+/// A fisheye in a large cube of six links, so that everything it sees is known.
 TEST(LabelPass, HoldsAllRoundAFisheye) {
   const CameraModel& camera = test::kFisheye190.camera;
   world::Material wall;
@@ -176,7 +176,7 @@ TEST(LabelPass, HoldsAllRoundAFisheye) {
   const LabelImages labels = labelsOf(stage, {stage.all(), true, true, true}, camera);
 
   int behind = 0;
-  int blurred = 0;  // by an edge of the cube the nearest drawn pixel may be on the next wall
+  int blurred = 0;  // near an edge of the cube, the nearest drawn pixel may be on the next wall
   int count = 0;
   for (int v = 0; v < camera.height(); v += 3) {
     for (int u = 0; u < camera.width(); u += 3) {

@@ -22,7 +22,7 @@ CameraModel scaled(const CameraModel& camera, double scale) {
           camera.distortion()};
 }
 
-/// A board, one side of which is seen, and where rays meet it.
+/// A board that is seen from one side, with a test for rays that hit it.
 struct Board {
   Pose X_CB;
   double half_width;
@@ -50,7 +50,7 @@ struct Counts {
   int in_image = 0;
 };
 
-/// The pixels that see the board, up to an image's width and height away.
+/// Counts the pixels that see the board, up to an image's width and height outside of the image.
 Counts pixelsThatSee(const Board& board, const CameraModel& camera) {
   Counts counts;
   const int width = camera.width();
@@ -66,7 +66,7 @@ Counts pixelsThatSee(const Board& board, const CameraModel& camera) {
   return counts;
 }
 
-/// Turned about y by an angle from the axis, at a distance, facing the camera.
+/// A board that faces the camera from a distance, at an angle about y from the optical axis.
 Board boardAt(double angle, double distance, double half_width, double half_height) {
   const Pose turn =
       makePose({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY())));
@@ -102,7 +102,7 @@ TEST_P(SilhouetteThroughALens, GoesOnPastTheImagesEdge) {
   const Silhouette silhouette =
       renderer.silhouette({camera, Pose::Identity()}, stage.poses(), stage.all());
 
-  // Pixels at the outline may look a quarter of a pixel aside.
+  // The ray of a pixel at the outline may be off by a quarter of a pixel.
   const Counts wanted = pixelsThatSee(board, camera);
   EXPECT_GT(wanted.in_image, 50);
   EXPECT_NEAR(static_cast<double>(silhouette.pixels_in_image), wanted.in_image,
@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Lenses, SilhouetteThroughALens,
                          [](const auto& each) { return std::string(each.param.name); });
 
 TEST(SilhouetteThroughALargeLens, CountsCellsBesideTheImageByTheirArea) {
-  // Of 3 x 3 such images not every pixel is drawn.
+  // Not every pixel of an area of 3 x 3 such images is drawn.
   const CameraModel camera = scaled(test::kPlumbBob.camera, 1.4);
   const auto edge = camera.ray({camera.width() - 0.5, camera.intrinsics().cy});
   const Board board = boardAt(std::atan2(edge->x(), edge->z()), 2.0, 0.1, 0.2);

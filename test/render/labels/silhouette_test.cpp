@@ -22,7 +22,7 @@ void addPlate(Stage& stage, const Box& outline, int object, double depth = 2.0,
               const world::Material& material = {}) {
   constexpr double kThickness = 1e-4;
   const Intrinsics& k = kCamera.intrinsics();
-  const double metres = depth / kFocalLength;  // a pixel there
+  const double metres = depth / kFocalLength;  // per pixel at this depth
   const double x = 0.5 * (outline.left + outline.right) - k.cx;
   const double y = 0.5 * (outline.top + outline.bottom) - k.cy;
   stage.addBox(

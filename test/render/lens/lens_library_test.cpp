@@ -80,7 +80,7 @@ class ZoomingLens : public ::testing::TestWithParam<test::LensCase> {
   Stage stage;
 };
 
-/// What a renderer shows of the stage.
+/// A renderer's outputs for the stage.
 struct Seen {
   PendingPicture picture;
   LabelImages labels;
@@ -102,7 +102,7 @@ TEST_P(ZoomingLens, ShowsWhatANewRendererShows) {
   std::vector<CameraModel> cameras;
   std::vector<Seen> expected;
   std::vector<cv::Mat> expected_pictures;
-  for (const double factor : factors) {  // one context of OpenGL at a time
+  for (const double factor : factors) {  // one OpenGL context at a time
     cameras.push_back(zoomed(small(GetParam().camera), factor));
     Renderer fresh(dark(), stage.links(), {});
     expected.push_back(look(fresh, cameras.back(), stage));
@@ -117,7 +117,7 @@ TEST_P(ZoomingLens, ShowsWhatANewRendererShows) {
     const auto expectSame = [&](const cv::Mat& one, const cv::Mat& other) {
       EXPECT_EQ(cv::norm(one, other, cv::NORM_INF), 0.0) << factors[i];
     };
-    // The thread that writes finishes pictures when the next ones have been drawn.
+    // The writing thread finishes pictures only after the next ones have been drawn.
     expectSame(found[i].picture(), expected_pictures[i]);
     expectSame(found[i].labels.ids, expected[i].labels.ids);
     expectSame(found[i].labels.depth, expected[i].labels.depth);

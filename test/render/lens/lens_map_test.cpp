@@ -54,7 +54,7 @@ TEST(LensMap, OfAPictureOfOneColumnIsAsFineAsOfThree) {
 }
 
 TEST(LensMap, IsFineWhereOnlyTheLastRowLooks) {
-  // 30 rows below the axis, the last is the only one that is more than 45 degrees below it.
+  // The last row, 30 rows below the axis, is the only one that looks more than 45 degrees down.
   const CameraModel camera(161, 61, {29.9, 29.9, 80.0, 30.0}, 0.05, 100.0,
                            {DistortionModel::kPlumbBob, {0.001}});
   const LensMap map = makeLensMap(camera);

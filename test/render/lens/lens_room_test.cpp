@@ -89,8 +89,8 @@ TEST_F(Room, ThroughALensIsThePinholesPictureRemapped) {
   keep(expected, "room_plumb_bob_expected");
 }
 
-/// What a lens shows if each pixel is the mean light of many rays.
-/// @param sharp  a pinhole's picture, of four times the lens's density
+/// The picture of a lens, with each pixel the mean light of many rays.
+/// @param sharp  a pinhole's picture with four times the lens's pixel density
 cv::Mat meanOfManyRays(const CameraModel& lens, const CameraModel& pinhole, const cv::Mat& sharp) {
   constexpr int kRays = 4;  // in each direction
   cv::Mat means(lens.height(), lens.width(), CV_8UC3);
@@ -127,7 +127,7 @@ TEST_F(Room, ThroughALensIsTheMeanOfManyRays) {
   int differing = 0;
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
-      constexpr int kEven = 6;  // there is an edge where more changes from pixel to pixel
+      constexpr int kEven = 6;  // a greater change between neighbouring pixels is an edge
       const auto& change = changes.at<cv::Vec3b>(v, u);
       if (std::max({change[0], change[1], change[2]}) > kEven) continue;
       ++even;
@@ -147,7 +147,8 @@ TEST_F(Room, ThroughALensIsTheMeanOfManyRays) {
 }
 
 TEST_F(Room, LooksTheSameOnBothSidesOfAFacesEdge) {
-  // Turning the camera turns the faces' seams over the room; what it shows in a direction stays.
+  // Rolling the camera moves the seams between faces across the room; the view in each direction
+  // has to stay the same.
   const CameraModel& lens = kFisheye190.camera;
   const cv::Mat straight = picture(lens);
   const Eigen::AngleAxisd turn(0.5, Eigen::Vector3d::UnitZ());

@@ -23,7 +23,7 @@ using test::kPlumbBob;
 using test::kRational;
 using test::LensCase;
 
-/// The formulas of the models' papers, for lenses that OpenCV's calib3d does not have.
+/// The projection by the formulas of the models' papers, for lenses that calib3d lacks.
 cv::Point2d truthOfSpheres(const CameraModel& camera, const Eigen::Vector3d& p) {
   const Intrinsics& k = camera.intrinsics();
   const auto& c = camera.distortion().coefficients;
@@ -41,7 +41,7 @@ cv::Point2d truthOfSpheres(const CameraModel& camera, const Eigen::Vector3d& p) 
   return {k.fx * (u + c[5] * v) + k.cx, k.fy * v + k.cy};
 }
 
-/// Where OpenCV has a point of the optical frame.
+/// Where OpenCV projects a point of the optical frame.
 cv::Point2d truth(const CameraModel& camera, const Eigen::Vector3d& p) {
   const Intrinsics& k = camera.intrinsics();
   const cv::Matx33d matrix(k.fx, 0, k.cx, 0, k.fy, k.cy, 0, 0, 1);
@@ -65,7 +65,7 @@ cv::Point2d truth(const CameraModel& camera, const Eigen::Vector3d& p) {
 class LensRendering : public ::testing::TestWithParam<LensCase> {};
 
 /// A small square that faces the camera, turned so that its edges cross the rows and columns of
-/// pixels: along them, what a mask counts would be whole rows.
+/// pixels: edges along them would add or remove whole rows of the mask at once.
 class Marker {
  public:
   Marker(const Eigen::Vector3d& direction, double distance, double half_side)
@@ -77,7 +77,7 @@ class Marker {
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
-  /// The projected square's outline as OpenCV has it, from `origin` on [px].
+  /// The square's outline as projected by OpenCV, relative to `origin` [px].
   [[nodiscard]] std::vector<cv::Point2f> outline(const CameraModel& camera,
                                                  const cv::Point2d& origin) const {
     std::vector<cv::Point2f> outline;
@@ -118,7 +118,7 @@ std::vector<Eigen::Vector3d> directionsSeenBy(const CameraModel& camera, int cou
     std::uniform_real_distribution<double> v(60.0, camera.height() - 61.0);
     const Eigen::Vector2d pixel(u(random), v(random));
     const auto ray = camera.ray(pixel);
-    // OpenCV's fisheye model projects what is in front alone.
+    // OpenCV's fisheye model projects only what is in front.
     if (ray && ray->z() > 0.1 && std::acos(ray->z()) < camera.largestAngle() - 0.2) {
       directions.push_back(*ray);
     }
@@ -167,8 +167,8 @@ TEST_P(LensRendering, MarkersLieWhereOpenCvProjectsThem) {
 }
 
 TEST_P(LensRendering, MasksAreRightUpToHalfADrawnPixelFromTheOutline) {
-  // Of the pictures that lenses see through, twice as dense as the image, the nearest pixel counts:
-  // it lies within half its diagonal.
+  // Each pixel takes the nearest pixel of the undistorted pictures, which are twice as dense as the
+  // image: it lies within half of that pixel's diagonal.
   constexpr double kNearest = 0.5 * 1.4143 / 2.0;  // [px]
   const CameraModel& camera = GetParam().camera;
   Stage stage;

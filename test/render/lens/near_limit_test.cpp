@@ -30,7 +30,7 @@ Stage stageOfBar() {
 
 class LensNearLimit : public ::testing::TestWithParam<LensCase> {
  protected:
-  /// Whether the pixel's ray meets the bar, and no nearer than the lens sees.
+  /// Whether the pixel's ray hits the bar at or beyond the near limit.
   [[nodiscard]] bool seesBar(const cv::Point& pixel) const {
     const auto ray = camera_.ray({pixel.x, pixel.y});
     if (!ray) return false;
@@ -67,7 +67,7 @@ TEST_P(LensNearLimit, EndsLabelsPicturesAndSilhouettesAlike) {
   EXPECT_EQ(cv::norm(seen, lit, cv::NORM_INF), 0.0);
 }
 
-/// Smooth edges see no nearer than centres do.
+/// Smooth edges have the same near limit as pixels' centres.
 TEST_P(LensNearLimit, EndsEdges) {
   const cv::Mat seen = renderer_.labels(view_, stage_.poses(), {stage_.all()}).ids > 0;
   const cv::Mat picture = renderer_.colour(view_, stage_.poses(), {stage_.all(), stage_.all()});

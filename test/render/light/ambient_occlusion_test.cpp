@@ -20,7 +20,7 @@ constexpr double kWall = 4.0;    // [m] before it
 
 /// A floor and a wall, where y is down and z forward.
 struct Corner {
-  /// Along a ray from a point, to the first of the two; infinite for neither.
+  /// The distance from a point along a ray to the first of the two; infinite if it hits neither.
   static double distance(const Vector3d& from, const Vector3d& ray) {
     double nearest = std::numeric_limits<double>::infinity();
     const double to_floor = (kFloor - from.y()) / ray.y();
@@ -37,7 +37,7 @@ struct Corner {
   }
 };
 
-/// What a camera sees of it.
+/// A camera's view of the corner.
 struct Seen {
   explicit Seen(const cv::Mat& rays = {})
       : occluders{cv::Mat(kImage, CV_32FC1), {cv::Point(), kImage}, kImage, kPinhole, rays},
@@ -55,7 +55,7 @@ struct Seen {
         const Vector3d p = depth * ray;
         points.at<cv::Vec3d>(v, u) = {p.x(), p.y(), p.z()};
         const Vector3d n = Corner::normal(p);
-        constexpr std::uint16_t kMinusOne = 0xBC00;  // numbers of 16 bits
+        constexpr std::uint16_t kMinusOne = 0xBC00;  // as a 16-bit float
         normals.at<cv::Vec4w>(v, u) = {0, n.y() < 0 ? kMinusOne : std::uint16_t{0},
                                        n.z() < 0 ? kMinusOne : std::uint16_t{0}, 0};
       }
@@ -63,8 +63,8 @@ struct Seen {
   }
 
   [[nodiscard]] cv::Mat open(const cv::Rect& place) const {
-    return openness(occluders, normals(place), place,
-                    cv::Mat(place.size(), CV_8UC1, cv::Scalar(255)));
+    return ambientVisibility(occluders, normals(place), place,
+                             cv::Mat(place.size(), CV_8UC1, cv::Scalar(255)));
   }
   [[nodiscard]] cv::Mat open() const { return open({cv::Point(), kImage}); }
 
@@ -73,7 +73,7 @@ struct Seen {
   cv::Mat points;
 };
 
-/// By rays in all directions, of which those count less that go far before they meet something.
+/// The openness by rays in all directions; the farther off a ray's hit is, the less it counts.
 double openByRays(const Vector3d& p, const Vector3d& normal) {
   constexpr double kRadius = 0.4;
   constexpr double kFading = 0.615;
@@ -82,7 +82,7 @@ double openByRays(const Vector3d& p, const Vector3d& normal) {
   double open = 0.0;
   constexpr int kRays = 4000;
   for (int i = 0; i < kRays; ++i) {
-    // By the cosine of the angle to the normal.
+    // Weighted by the cosine of the angle to the normal.
     const Vector3d unit =
         Vector3d(normally(random), normally(random), normally(random)).normalized();
     const Vector3d ray = (normal + unit).normalized();
@@ -92,7 +92,7 @@ double openByRays(const Vector3d& p, const Vector3d& normal) {
   return open / kRays;
 }
 
-/// How far openness is from that of rays, in the middle column.
+/// Compares the openness in the middle column with that by rays.
 void expectThatOfRays(const Seen& seen) {
   const cv::Mat open = seen.open();
   double worst = 0.0;
@@ -142,7 +142,7 @@ TEST(Openness, IsTheSameInAnyPartOfThePicture) {
   const cv::Mat whole = seen.open();
   for (const cv::Rect& place : {cv::Rect(37, 180, 11, 9), cv::Rect(0, 100, 320, 3),
                                 cv::Rect(317, 220, 3, 20), cv::Rect(151, 221, 1, 1)}) {
-    // Two pixels around them are asked for besides.
+    // A margin of two pixels around each place is requested as well.
     const cv::Rect around = cv::Rect(place.tl() - cv::Point(2, 2), place.br() + cv::Point(2, 2)) &
                             cv::Rect(cv::Point(), kImage);
     const cv::Mat part = seen.open(around)(place - around.tl());

@@ -18,7 +18,7 @@ struct Point {
   double shininess;
 };
 
-/// SGX_Light_Point_DiffuseSpecular and its kin of OGRE 1.9's SGXLib_PerPixelLighting.glsl.
+/// SGX_Light_Point_DiffuseSpecular and its variants in OGRE 1.9's SGXLib_PerPixelLighting.glsl.
 void addLight(const LightInView& light, const Point& p, Vector3d& diffuse, Vector3d& specular) {
   Vector3d to_light = -light.direction_C.cast<double>();
   double share = 1.0;

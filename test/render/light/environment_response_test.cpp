@@ -1,4 +1,5 @@
-/// What surfaces mirror of an even surrounding, against the integral over all of its directions.
+/// The share of a uniform environment's light that surfaces reflect, against the integral over all
+/// directions.
 
 #include "render/light/environment_response.h"
 
@@ -12,7 +13,7 @@ namespace environment_response_test {
 
 using Eigen::Vector3d;
 
-/// Over light from the whole half of the world, with the highlight of surface_shading.h.
+/// The integral of the highlight of surface_shading.h over the hemisphere.
 double mirroredOf(double f0, double roughness, double n_dot_v) {
   const double alpha = roughness * roughness;
   const Vector3d to_eye(std::sqrt(1.0 - n_dot_v * n_dot_v), 0.0, n_dot_v);
@@ -20,10 +21,10 @@ double mirroredOf(double f0, double roughness, double n_dot_v) {
   constexpr int kColumns = 600;
   double sum = 0.0;
   for (int row = 0; row < kRows; ++row) {
-    const double n_dot_l = (row + 0.5) / kRows;  // each as wide a part of the half
+    const double n_dot_l = (row + 0.5) / kRows;  // rows of equal solid angle
     const double across = std::sqrt(1.0 - n_dot_l * n_dot_l);
     for (int column = 0; column < kColumns; ++column) {
-      const double around = M_PI * (column + 0.5) / kColumns;  // its other half is the same
+      const double around = M_PI * (column + 0.5) / kColumns;  // the other half is symmetric
       const Vector3d to_light(across * std::cos(around), across * std::sin(around), n_dot_l);
       const Vector3d halfway = (to_light + to_eye).normalized();
       const double bell = halfway.z() * halfway.z() * (alpha * alpha - 1.0) + 1.0;

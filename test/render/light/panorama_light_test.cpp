@@ -1,4 +1,4 @@
-/// Against sums over all of a panorama's pixels.
+/// The light of panoramas, against sums over all of their pixels.
 
 #include "render/light/panorama_light.h"
 
@@ -63,7 +63,7 @@ Vector3d linearOf(const cv::Vec4b& pixel) {
   return {linear[pixel[2]], linear[pixel[1]], linear[pixel[0]]};
 }
 
-/// The mean of all pixels by weights of their directions.
+/// The mean of all pixels, weighted by their directions.
 template <class Weight>
 Vector3d mean(const cv::Mat& pixels, const Weight& weight) {
   Vector3d sum = Vector3d::Zero();
@@ -83,7 +83,7 @@ Vector3d facedBy(const cv::Mat& pixels, const Vector3d& normal) {
   return mean(pixels, [&](const Vector3d& from) { return std::max(0.0, from.dot(normal)); });
 }
 
-/// GGX's lobe of a surface that is looked at head-on.
+/// The light through the GGX lobe of a surface that is seen head-on.
 Vector3d throughLobe(const cv::Mat& pixels, const Vector3d& normal, double roughness) {
   const double a2 = std::pow(roughness, 4.0);
   return mean(pixels, [&](const Vector3d& from) {

@@ -169,7 +169,7 @@ TEST_F(SurfaceLight, FromBehindIsNone) {
   const SurfaceShading shading(all);
   LightingContext dark = plain();
   const SurfaceShading without(dark);
-  // The second one faces it, so that all four are worked out.
+  // The second surface faces the light, so that all four lanes are computed.
   const SurfaceLanes surfaces{lanes(0.0F, 0.0F, 2.0F),
                               {lanes(0.0F), lanes(0.0F), Lanes(-1.0F, 1.0F, -1.0F, -1.0F)},
                               {lanes(0.0F), lanes(0.0F), Lanes(-1.0F, 1.0F, -1.0F, -1.0F)},
@@ -194,7 +194,7 @@ TEST_F(SurfaceLight, FadesInFog) {
   }
 }
 
-/// The mean over a square of 3 x 3 texels around a place of how much is not nearer to the light.
+/// The share of a square of 3 x 3 texels around a place that holds nothing nearer to the light.
 double passingAt(const cv::Mat& depths, double column, double row, float depth) {
   double sum = 0.0;
   for (int v = -3; v < depths.rows + 3; ++v) {
@@ -216,7 +216,7 @@ TEST(ShadowLookup, IsTheMeanOfTheTexelsRoundAPlace) {
   cv::Mat depths(kSize, kSize, CV_32FC1);
   cv::theRNG().state = 6;
   cv::randu(depths, 0.0F, 1.0F);
-  // From metres to clip coordinates; nothing is raised by a texel of no size.
+  // Maps metres to clip coordinates; with texels of size 0, no point is raised.
   Eigen::Matrix4d shadow_from_camera = Eigen::Matrix4d::Identity();
   const CastShadow shadow{MapDepths(std::make_shared<MapDepths::Standing>(depths)),
                           shadow_from_camera, 0.0, Eigen::Vector2d::Zero()};

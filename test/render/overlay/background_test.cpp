@@ -22,7 +22,7 @@ using Projection = world::BackgroundPicture::Projection;
 
 constexpr double kPi = 3.14159265358979;
 
-/// A picture of pixels that have nothing to do with one another.
+/// A picture of independent random pixels.
 cv::Mat noise(const cv::Size& size, std::uint64_t seed = 1) {
   cv::Mat pixels(size, CV_8UC4);
   cv::RNG(seed).fill(pixels, cv::RNG::UNIFORM, 0, 256);
@@ -52,7 +52,7 @@ world::Look lookWith(const world::Description& description, const cv::Mat& pixel
   return look;
 }
 
-/// One picture of nothing but the background.
+/// A picture of the background only.
 cv::Mat seenWith(const world::Look& look, const View& view = {kSmallCamera},
                  Sampling sampling = Sampling::kSmooth, float exposure = 1.0F) {
   Renderer renderer(test::dark(), {}, {});
@@ -60,7 +60,7 @@ cv::Mat seenWith(const world::Look& look, const View& view = {kSmallCamera},
   return renderer.colour(view, {}, {{}, {}, sampling, {}, exposure});
 }
 
-/// The greatest difference where a lens sees something.
+/// The greatest difference, within the pixels at which a lens sees something.
 double worst(const cv::Mat& a, const cv::Mat& b, const cv::Mat& where = {}) {
   return cv::norm(a, b, cv::NORM_INF, where);
 }
@@ -160,8 +160,8 @@ TEST(Backdrop, TakesTheMiddleOfAPicture) {
 
 // --- Panoramas ---
 
-/// What a direction of the world looks like: waves along each axis, so fine that a pixel beside the
-/// right one is some grey levels off.
+/// The colour of a direction of the world: waves along each axis, so fine that the pixel next to
+/// the right one is some grey levels off.
 cv::Vec3d colourOf(const Eigen::Vector3d& direction) {
   const Eigen::Array3d waves = 128.0 + 100.0 * (6.0 * direction.array()).sin();
   return {waves.x(), waves.y(), waves.z()};
@@ -186,7 +186,7 @@ cv::Mat panoramaOfDirections(int width) {
   return pixels;
 }
 
-/// What a camera should see of it, and in `where` the pixels at which its lens sees something.
+/// The picture that a camera should see; `where` gets the pixels at which its lens sees something.
 cv::Mat expectedOfDirections(const View& view, double yaw, cv::Mat& where) {
   cv::Mat expected(view.camera.height(), view.camera.width(), CV_8UC3, cv::Scalar::all(0));
   where = cv::Mat::zeros(expected.size(), CV_8UC1);
@@ -249,7 +249,7 @@ TEST_P(ThroughLens, APanoramaShowsEachDirectionOfTheWorld) {
   expectDirections({GetParam().camera, looking(-2.0, 0.3, 0.7)}, 0.5);
 }
 
-/// A picture with waves across and down it, of each of which the image shows eight.
+/// A picture with eight waves across and eight waves down.
 cv::Mat wavesOf(const cv::Size& size) {
   const auto wave = [](int place, int length) {
     return cv::saturate_cast<std::uint8_t>(128 + 100 * std::sin(16 * kPi * (place + 0.5) / length));
@@ -263,7 +263,7 @@ cv::Mat wavesOf(const cv::Size& size) {
   return pixels;
 }
 
-/// Straight lines of the picture stay straight, whatever the lens makes of the world's.
+/// Straight lines of the picture stay straight even if the lens bends those of the world.
 TEST_P(ThroughLens, ABackdropFillsTheImageAsItIs) {
   const CameraModel& camera = GetParam().camera;
   const View view{camera, looking(-2.0, 0.3, 0.7)};
@@ -332,7 +332,7 @@ class BackgroundOfThings : public testing::Test {
                          0.05, 100.0, {DistortionModel::kPlumbBob, {-0.2, 0.05, 0.0, 0.0, 0.0}}};
 };
 
-/// At edges, behind glass and through lenses: the colour is the description's way to the same.
+/// A plain picture equals a background colour at edges, behind glass and through lenses.
 TEST_F(BackgroundOfThings, OfOneColourIsThatColour) {
   for (const CameraModel& camera : {kSmallCamera, bent}) {
     const View from{camera, view.X_WC};
@@ -366,7 +366,7 @@ TEST_F(BackgroundOfThings, IsNothingToLabels) {
   EXPECT_EQ(after.depth.at<float>(0, 0), 0.0F);
 }
 
-/// Pictures of several times in each look, by one renderer and by one for each of them.
+/// Compares pictures of several times in each look by one renderer with those by a new one each.
 TEST_F(BackgroundOfThings, IsNotKeptForTheNext) {
   const std::vector<world::Look> looks = {
       lookWith(description, noise({65, 49}, 1)), lookWith(description, noise({65, 49}, 2)),
@@ -401,7 +401,7 @@ TEST_F(BackgroundOfThings, IsNotKeptForTheNext) {
   }
 }
 
-/// As a rolling shutter and background subtraction draw.
+/// Regions are drawn for rolling shutters and background subtraction.
 TEST_F(BackgroundOfThings, IsTheSameInRegions) {
   const std::vector<cv::Rect> regions = {{0, 10, 65, 7}, {30, 20, 20, 25}};
   for (const Projection projection : {Projection::kBackdrop, Projection::kPanorama}) {
@@ -417,8 +417,8 @@ TEST_F(BackgroundOfThings, IsTheSameInRegions) {
   }
 }
 
-/// Two lenses see the same circle of the world, of which their images show different surroundings:
-/// what is drawn for them differs in the backdrop alone.
+/// Two lenses see the same circle of the world in images of different widths: what is drawn for
+/// them differs only in the backdrop.
 TEST_F(BackgroundOfThings, IsNotTakenForThatOfAnotherLens) {
   const Distortion narrow{DistortionModel::kNone, {}, 0.3};
   const View first{CameraModel(65, 49, {60.0, 60.0, 32.0, 24.0}, 0.05, 100.0, narrow), view.X_WC};

@@ -143,14 +143,14 @@ TEST(Environment, OfWhiteIsWhatWhiteAmbientLightIsOnAFloor) {
   EXPECT_GT(floorIn(true)[0], 140);
 }
 
-/// A mirror that shows the north-east to who looks east, at all of the picture's pixels.
+/// Adds a mirror that fills the picture of a camera looking along +x and shows what lies along +y.
 void addMirror(Scenery& scenery, double roughness = 0.0) {
   Eigen::Matrix3d R_WL = Eigen::AngleAxisd(M_PI / 4.0, Vector3d::UnitZ()).toRotationMatrix();
   scenery.stage().addBox({9, 0.01, 9}, makePose({2, 0, 0}, Eigen::Quaterniond(R_WL)), 0,
                          silver(static_cast<float>(roughness)));
 }
 
-/// The difference of what the mirror shows to what lies in the direction that it shows.
+/// The difference between the mirror's picture and the flipped view in the mirrored direction, +y.
 cv::Mat mirrorErrors(Scenery& mirror, Scenery& nothing) {
   addMirror(mirror);
   const cv::Mat shown = mirror.seenFrom(viewAlong(Vector3d::UnitX()));
@@ -234,7 +234,7 @@ TEST(Environment, OfASkyIsBlueOnFloorsAndDarkerBelow) {
   EXPECT_LT(below, 0.7 * luminanceOf(floor));
 }
 
-/// Pictures of different looks by one renderer, against those by renderers that know of no other.
+/// Pictures of different looks by one renderer, against those by a renderer for each look.
 void expectThoseOfEachLookAlone(Scenery& scenery, const std::vector<world::Look>& looks) {
   const View view = viewAlong(Vector3d::UnitX());
   std::vector<cv::Mat> pictures;

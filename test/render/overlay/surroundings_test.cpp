@@ -84,7 +84,7 @@ TEST(Fog, LiesOnWhatOneCanSeeThroughToo) {
   Stage stage;
   stage.addMesh(screen(8.0F, 4.0F), Pose::Identity(), -1, unlit(0.0F));
   stage.addMesh(screen(8.0F, 2.0F), Pose::Identity(), -1, unlit(0.0F, 0.5F));
-  // Behind 0.5 of fog, before it 0.25, half each.
+  // Fog of 0.5 on the wall and of 0.25 on the pane before it, half of each.
   EXPECT_NEAR(green(takePicture(description, stage)), encoded(0.5 * 0.25 + 0.5 * 0.5), 1);
 }
 
@@ -148,7 +148,7 @@ TEST(Sky, TurnsWithTheCamera) {
   rolled.linear() = X_WC.linear() * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
   const cv::Mat upright = takePicture(description, Stage(), X_WC);
   const cv::Mat turned = takePicture(description, Stage(), rolled);
-  // A quarter turn clockwise of the camera: its right is what was below.
+  // The camera is turned clockwise by a quarter: its right is what was below.
   for (const int offset : {-20, -7, 0, 13, 22}) {
     const cv::Vec3b first = upright.at<cv::Vec3b>(24 + offset, 32);
     const cv::Vec3b second = turned.at<cv::Vec3b>(24, 32 + offset);
@@ -211,7 +211,7 @@ TEST(Sky, ItsSunRisesInTheEastAndSetsInTheWest) {
   EXPECT_LT(sunDirection(sky, {}).z(), 0.0);
 }
 
-/// A grey matte wall at 2 m under these lights alone.
+/// A matte grey wall at 2 m, lit only by these lights.
 int wallUnder(const std::vector<world::Light>& lights, float ambient = 0.0F) {
   world::Description description;
   description.simulator = world::Simulator::kGz;

@@ -1,4 +1,4 @@
-/// Hulls round meshes, against how far the meshes' own vertices reach in directions at random.
+/// Hulls around meshes, against how far the meshes' own vertices reach in random directions.
 
 #include "render/parts/bounding_hull.h"
 

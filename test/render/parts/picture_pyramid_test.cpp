@@ -25,7 +25,7 @@ world::Texture ramps() {
 
 class PicturePyramidTest : public testing::Test {
  protected:
-  /// Of the largest picture: the steps are small.
+  /// A sample of the largest level: the steps are small.
   [[nodiscard]] Eigen::Vector4f at(float x, float y) const {
     return 255.0F * pyramid_.mean({x, y}, {1e-3F, 0.0F}, {0.0F, 1e-3F});
   }

@@ -1,4 +1,4 @@
-/// Pictures of which most is kept from the one before, against pictures that are drawn anew.
+/// Pictures that keep most pixels of the one before, against pictures that are drawn anew.
 
 #include <map>
 #include <string>
@@ -28,11 +28,11 @@ world::Material coloured(float red, float green, float blue, float alpha = 1.0F)
   return material;
 }
 
-/// A yard under a sunny sky with a lamp: walls, a pane of glass before a part of them, and two
-/// balls, a cup of glass and a rod that move; the rod is thinner than a pixel. Or the same where
-/// nothing is of glass: OpenGL draws other shadows then. Or that without a sky, through a lens, all
-/// of whose pixels have rays of their own; or that with the sky, whose pixels have not. Under
-/// gz-sim's light, one of the balls is a mirror.
+/// A yard under a sunny sky with a lamp: walls, a pane of glass in front of part of them, and two
+/// balls, a cup of glass and a rod that move; the rod is thinner than a pixel. `kWithoutGlass` is
+/// the same without glass: OpenGL then draws other shadows. `kThroughALens` has neither glass nor
+/// sky, and each pixel has its own ray through a lens; `kSkyThroughALens` adds the sky, with which
+/// pixels have no rays of their own. Under gz-sim's light, one of the balls is a mirror.
 enum class Yard { kWithGlass, kWithoutGlass, kThroughALens, kSkyThroughALens };
 
 struct Case {
@@ -96,7 +96,7 @@ class KeptPictures : public testing::TestWithParam<Case> {
         {-3, 0, 1.2}, Eigen::Quaterniond(R_WC) * Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitX()));
   }
 
-  /// Moves what moves to its places of a time.
+  /// Moves what moves to where it is at a time.
   void move(int time) {
     const double t = 0.1 * time;
     stage.poses()[kBall] = at(0.5 * std::sin(3 * t), std::cos(2 * t), 0.3 + 0.2 * t);
@@ -112,8 +112,8 @@ class KeptPictures : public testing::TestWithParam<Case> {
     return renderer.colour(view, stage.poses(), {stage.all(), stage.all()});
   }
 
-  /// The picture of a time, by a renderer that has drawn no other. Tests share it, as a renderer
-  /// takes longer to make than a picture.
+  /// The picture of a time, by a renderer that has drawn no other. Tests share these pictures, as
+  /// making a renderer takes longer than drawing.
   [[nodiscard]] cv::Mat drawnAnew(int time) {
     using Key = std::tuple<Yard, LightDetail, world::Simulator, int, int, double, int>;
     static std::map<Key, cv::Mat> all;
@@ -154,7 +154,7 @@ TEST_P(KeptPictures, AreThoseThatAreDrawnAnew) {
   expectAsDrawnAnew(pictures);
 }
 
-/// As a rolling shutter takes them: some rows, then the world, and maybe the camera, has moved.
+/// As for a rolling shutter, some rows are drawn, then the world and maybe the camera move.
 TEST_P(KeptPictures, HaveTheRowsOfWholePictures) {
   const Pose X_WC = view.X_WC;
   for (const double step : {0.0, 0.02}) {
@@ -247,7 +247,7 @@ TEST_P(KeptPictures, AreFinishedInAnyOrderAndThread) {
 }
 
 TEST_P(KeptPictures, OfRegionsAreThoseThatAreDrawnAnew) {
-  // As masks by background subtraction: the background in the objects' boxes, then one object.
+  // As for masks by background subtraction: the background in the objects' boxes, then one object.
   const LinkSelection none(stage.all().size(), false);
   LinkSelection background = stage.all();
   for (std::size_t moving = kBall; moving < background.size(); ++moving) background[moving] = false;

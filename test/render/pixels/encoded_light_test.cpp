@@ -18,7 +18,7 @@ cv::Mat pixel(float encoded) {
   return {1, 1, CV_16UC4, cv::Scalar(half, halfBits(0.5F * encoded), half, 7)};
 }
 
-/// Red after exposing.
+/// The red channel after exposing.
 float exposed(float encoded, float exposure) {
   cv::Mat light = pixel(encoded);
   exposeEncoded(light, exposure, {{0, 0, 1, 1}});

@@ -17,8 +17,7 @@ cv::Mat randomPicture(const cv::Size& size) {
   return picture;
 }
 
-/// The share of a pixel of a long line that a pixel of a shorter one covers [pixel of the long
-/// one].
+/// How much of a pixel of a long line a pixel of a shorter line covers [pixels of the long line].
 double covered(int place, int length, int shorter_place, int shorter) {
   const double scale = static_cast<double>(length) / shorter;
   return std::max(0.0, std::min(place + 1.0, (shorter_place + 1) * scale) -
@@ -67,7 +66,7 @@ TEST(Mipmaps, AreMeansOfWhatTheyCover) {
     const cv::Mat picture = randomPicture(size);
     for (const PixelMeaning meaning : {PixelMeaning::kColour, PixelMeaning::kData}) {
       for (cv::Mat& each : mipmapsOf(picture, meaning)) {
-        // Where lengths are odd, a mean of means is not that of all.
+        // With odd lengths, a mean of means is not the mean of all pixels.
         const bool is_first = each.rows >= size.height / 2 && each.cols >= size.width / 2;
         if (!is_first && size.area() != 64 * 32) continue;
         each.forEach<cv::Vec4b>([&](cv::Vec4b& pixel, const int* place) {

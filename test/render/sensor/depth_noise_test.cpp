@@ -1,4 +1,4 @@
-/// Held against the published formulas, by statistics over many pixels.
+/// Noise of depth, compared with the published formulas by statistics over many pixels.
 
 #include "render/sensor/depth_noise.h"
 
@@ -52,7 +52,7 @@ struct Statistics {
   double measured = 0.0;  ///< share of the pixels
 };
 
-/// Of what a pixel's measured depth says of it.
+/// The statistics of a value of each pixel's measured depth.
 Statistics statisticsOf(const cv::Mat_<float>& depth, const cv::Rect& region,
                         const std::function<double(int u, int v, double depth)>& value) {
   double sum = 0.0;
@@ -76,7 +76,7 @@ Statistics errorsOf(const cv::Mat& measured, double depth, const cv::Rect& regio
   return statisticsOf(measured, region, [&](int, int, double each) { return each - depth; });
 }
 
-const cv::Rect kMiddle(60, 10, 330, 280);  // right of what a second camera does not see
+const cv::Rect kMiddle(60, 10, 330, 280);  // right of the strip that the second camera misses
 
 TEST(StructuredLight, HasTheDeviationThatWasMeasuredOfAKinect) {
   for (const double depth : {0.8, 1.5, 2.5, 4.0}) {
@@ -99,7 +99,7 @@ TEST(StructuredLight, IsNoisierAtGrazingAnglesAndAlongTheImage) {
   const double rest = M_PI_2 - angle;
   const double axial =
       0.0012 + 0.0019 * 1.6 * 1.6 + 0.0001 / std::sqrt(2.0) * std::pow(angle / rest, 2);
-  // A place beside it, to the nearest pixel, is nearer or farther.
+  // Lateral noise picks the depth of a nearby pixel, which is nearer or farther.
   const double lateral =
       std::hypot(0.8 + 0.035 * angle / rest, 1.0 / std::sqrt(12.0)) * 2.0 * std::tan(angle) / 585.0;
   EXPECT_NEAR(errors.deviation, std::hypot(axial, lateral), 0.1 * std::hypot(axial, lateral));
@@ -139,7 +139,8 @@ TEST(StructuredLight, LosesTheShadowAndHalfOfTheEdges) {
   EXPECT_EQ(share({120, 0, 45, 300}), 1.0);
   EXPECT_EQ(share({210, 0, 80, 300}), 1.0);
   EXPECT_EQ(share({310, 0, 80, 300}), 1.0);
-  // Beside the right edge, the pixels on both sides, and such that show one of them.
+  // Along the right edge, some pixels are lost: those on both sides, and those that show one of
+  // them.
   EXPECT_NEAR(share({299, 0, 2, 300}), 0.65, 0.12);
 }
 

@@ -13,7 +13,7 @@ TEST(WhiteBalance, IsNeutralForTheLightOfThePictures) {
 }
 
 // CIE's standard illuminant A is a black body of 2856 K: X 109.85, Y 100, Z 35.58. A camera that is
-// set for it shows its light as white, but for what a black body of 6500 K is redder than D65.
+// set to it shows its light as white, except that a black body of 6500 K is redder than D65.
 TEST(WhiteBalance, OfABulbShowsABulbsLightAsWhite) {
   const cv::Vec3d illuminant(0.2333, 0.8262, 1.8452);  // linear sRGB: blue, green, red
   const cv::Vec3f gains = whiteBalanceGains(2856.0);

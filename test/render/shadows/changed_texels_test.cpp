@@ -19,7 +19,8 @@ bool isMarked(const ChangedTexels& changed, int column, int row) {
 
 TEST(ChangedTexels, AreWhereSomethingIsNearerThanWhatStands) {
   cv::Mat standing = map(0.5F);
-  // A piece that does not begin or end with a cell; of it, one texel is before what stands.
+  // A piece that does not begin or end at a cell's border; one of its texels is nearer than what
+  // stands.
   MapPiece piece{{5, 9, 22, 13}, cv::Mat(13, 22, CV_32FC1, cv::Scalar(0.7))};
   for (const cv::Point& nearer : {cv::Point(0, 0), cv::Point(21, 12), cv::Point(10, 6)}) {
     cv::Mat depths = piece.depths.clone();

@@ -13,7 +13,7 @@ constexpr double kTexel = 0.01;  // [m]
 
 Pose at(double x) { return makePose({x, 0, 0}, Eigen::Quaterniond::Identity()); }
 
-/// Where a ball casts at some times at which it is at some places.
+/// The places from which a ball casts its shadow if it is at `places` at successive times.
 std::vector<double> heldAt(const std::vector<double>& places) {
   DrawItem item;
   item.bounds_V = Bounds(Eigen::Vector3d::Constant(-0.2), Eigen::Vector3d::Constant(0.2));
@@ -77,7 +77,7 @@ TEST(HeldCasters, AreNeverAWholeTexelAwayWhereTheyGoBackAndForth) {
   for (std::size_t i = 0; i < places.size(); ++i) EXPECT_LT(std::abs(held[i] - places[i]), kTexel);
 }
 
-/// What is held at two times, with a caster that moves by a vector.
+/// The held poses at two times of a caster that moves by a vector.
 std::vector<Pose> heldWithMove(const ShadowProjection& shadow, const Eigen::Vector3d& from,
                                const Eigen::Vector3d& move) {
   DrawItem item;

@@ -15,7 +15,7 @@ MapPiece piece(const cv::Rect& texels, double depth) {
   return {texels, cv::Mat(texels.size(), CV_32FC1, cv::Scalar(depth))};
 }
 
-/// The depths of a map that are asked for with those of its cells, which have to agree.
+/// The depths of a map, checked against the depths of its cells.
 cv::Mat depthsOf(const MapDepths& map) {
   const MapDepths::Assembled assembled = map.assemble(true);
   for (int row = 0; row < kSize; ++row) {

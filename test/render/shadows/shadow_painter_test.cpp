@@ -15,7 +15,7 @@ namespace shadow_painter_test {
 
 using Meshes = std::vector<std::shared_ptr<const world::Mesh>>;
 
-/// The same with a speck in its middle, which has an edge and so is no surface of a body.
+/// The mesh with a speck in its middle, whose border keeps the mesh from being a closed surface.
 std::shared_ptr<const world::Mesh> withSpeck(const world::Mesh& mesh) {
   auto result = std::make_shared<world::Mesh>(mesh);
   const auto first = static_cast<std::uint32_t>(result->positions.size());
@@ -28,7 +28,7 @@ std::shared_ptr<const world::Mesh> withSpeck(const world::Mesh& mesh) {
   return result;
 }
 
-/// Bodies that float over a floor in sunlight, seen from above, each time otherwise.
+/// Pictures from above of bodies that float over a floor in sunlight, each time elsewhere.
 std::vector<cv::Mat> picturesOf(const Meshes& meshes, std::size_t count) {
   world::Description description;
   description.simulator = world::Simulator::kGz;

@@ -16,7 +16,7 @@ namespace shadow_raster_test {
 
 constexpr int kSize = 96;
 
-/// A body turned at random, so many texels to a metre.
+/// A random rotation, at this many texels per metre.
 Eigen::Affine3f placed(std::mt19937& random, double texels, const Eigen::Vector2d& middle) {
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
   map.linear() = Eigen::Vector3d(texels, texels, 0.2).asDiagonal() *
@@ -50,7 +50,7 @@ cv::Mat leastDepths(const world::Mesh& mesh, const Eigen::Affine3f& map_from_mes
     for (int v = 0; v < kSize; ++v) {
       for (int u = 0; u < kSize; ++u) {
         const Eigen::Vector3d share = shares * Eigen::Vector3d(u + 0.5, v + 0.5, 1.0);
-        for (int k = 0; k < 3; ++k) {  // a share grows by its row's length a texel
+        for (int k = 0; k < 3; ++k) {  // a share grows by the length of its row per texel
           const double off = std::abs(share[k]) / shares.row(k).head<2>().norm();
           if (share.minCoeff() > -0.5)
             clear.at<double>(v, u) = std::min(clear.at<double>(v, u), off);
@@ -133,7 +133,7 @@ TEST(ShadowRaster, LeavesNoGapsBetweenTriangles) {
   }
 }
 
-/// Long slivers, which meet anywhere in the map.
+/// Long slivers that meet anywhere in the map.
 TEST(ShadowRaster, LeavesNoGapsBetweenLargeTriangles) {
   constexpr int kLarge = 700;
   constexpr std::uint32_t kCount = 97;

@@ -1,4 +1,4 @@
-/// Shadows of lights that are no points, against rays to all parts of these lights.
+/// Shadows of area lights, against rays to all parts of these lights.
 
 #include <cmath>
 #include <functional>
@@ -31,7 +31,7 @@ world::Material matte() {
   return material;
 }
 
-/// A floor of 4 m, and nothing but one light.
+/// A floor of 4 m under a single light.
 struct Room {
   explicit Room(const world::Light& light) {
     description.simulator = world::Simulator::kGz;
@@ -43,7 +43,7 @@ struct Room {
     stage.addMesh(world::planeMesh(Eigen::Vector3d::UnitZ(), {4, 4}), at(0, 0, 0), -1, matte());
   }
 
-  /// What of the light arrives at each pixel, linear: that of the picture by that of a picture
+  /// The share of the light that arrives at each pixel: linear light relative to that of a picture
   /// without shadows.
   [[nodiscard]] cv::Mat passing() const {
     const auto linear = [&](const std::vector<bool>& casting) {
@@ -62,7 +62,7 @@ struct Room {
     return linear(stage.all()) / linear(std::vector<bool>(stage.poses().size(), false));
   }
 
-  /// Where a pixel's centre sees the floor.
+  /// The point of the floor that a pixel's centre sees.
   [[nodiscard]] Eigen::Vector3d floorAt(int u, int v) const {
     const Intrinsics& k = view.camera.intrinsics();
     const Eigen::Vector3d ray =
@@ -78,8 +78,8 @@ struct Room {
             makePose({0, 0, 1.9}, Eigen::Quaterniond(0, 1, 0, 0))};  // downwards
 };
 
-/// The share of a disc's parts of which something is true.
-/// @param is_seen  of a place in the disc of radius 1
+/// The share of a disc for which a predicate is true.
+/// @param is_seen  takes a point of the disc of radius 1
 double shareOf(const std::function<bool(const Eigen::Vector2d&)>& is_seen) {
   int count = 0;
   int seen = 0;
@@ -185,7 +185,8 @@ TEST(SoftEdges, LeaveWhatIsNotInAShadowAsItIs) {
     const Eigen::Vector3d towards = -sun.direction_L;
     for (int v = 0; v < passing.rows; ++v) {
       for (int u = 0; u < passing.cols; ++u) {
-        // Spheres: those whose normals see the sun at 0.2 or more are not in their own shadow.
+        // Points of a sphere whose normals have a cosine of 0.2 or more to the sun are not in the
+        // sphere's own shadow.
         const Eigen::Vector3d eye = room.view.X_WC.translation();
         const Eigen::Vector3d ray = (room.floorAt(u, v) - eye).normalized();
         const Eigen::Vector3d middle(0, 0, 0.8);
@@ -200,7 +201,7 @@ TEST(SoftEdges, LeaveWhatIsNotInAShadowAsItIs) {
   }
 }
 
-/// How bright a floor is below a light of this type in a ball, beside the light's middle.
+/// The brightness of a floor below a light of this type, optionally inside a ball.
 double brightnessBelow(world::LightType type, bool is_in_ball) {
   world::Light lamp;
   lamp.type = type;

@@ -13,7 +13,7 @@ namespace drop_painter_test {
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 
-/// Looks along x of the global frame; z is up, and v grows downwards.
+/// A camera that looks along the global x; z is up, and v grows downwards.
 Pose lookingAlongX() {
   Eigen::Matrix3d R;
   R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
@@ -26,7 +26,7 @@ struct Shot {
   float wall = std::numeric_limits<float>::infinity();
   std::uint64_t seed = 4;
 
-  /// CV_32FC1.
+  /// The share of the light that passes, CV_32FC1.
   [[nodiscard]] cv::Mat of(const Precipitation& falling) const {
     const View view{CameraModel(kWidth, kHeight, {300, 300, 159.5, 119.5}, 0.05, 100.0),
                     lookingAlongX()};
@@ -37,7 +37,7 @@ struct Shot {
   }
 };
 
-/// The logarithm of the light that arrives, all in all.
+/// The mean loss of light, as a negative logarithm.
 double lost(const cv::Mat& passing) {
   cv::Mat logarithms;
   cv::log(passing, logarithms);
@@ -45,8 +45,8 @@ double lost(const cv::Mat& passing) {
 }
 
 TEST(Drops, TakeTheLightThatTheirOutlinesTake) {
-  // Beer and Lambert: the drops' outlines in a cubic metre, times the way to 10 m. Near drops are
-  // few and large on the image, so that many instants are looked at.
+  // Beer and Lambert: the drops' outlines in a cubic metre, times the path of 10 m. Near drops are
+  // few and large in the image, so many instants are averaged.
   const Precipitation rain = Precipitation::rain(100.0);
   double outlines = 0.0;
   constexpr int kCells = 100;
@@ -63,7 +63,7 @@ TEST(Drops, TakeTheLightThatTheirOutlinesTake) {
     shot.seed = static_cast<std::uint64_t>(i);
     sum += lost(shot.of(rain)) / kInstants;
   }
-  EXPECT_NEAR(sum / (outlines * 10.0), 0.85, 0.2);  // without the faintest
+  EXPECT_NEAR(sum / (outlines * 10.0), 0.85, 0.2);  // the faintest drops are not drawn
 }
 
 TEST(Drops, TakeTheSameLightHoweverLongTheyFall) {
@@ -77,7 +77,7 @@ TEST(Drops, TakeTheSameLightHoweverLongTheyFall) {
   EXPECT_LT(ratio, 1.1);
 }
 
-/// How alike neighbours are: of rows, and of columns.
+/// How different pixels are from their neighbours at (du, dv).
 double roughness(const cv::Mat& image, int du, int dv) {
   const cv::Rect first(0, 0, image.cols - du, image.rows - dv);
   return cv::norm(image(first), image(first + cv::Point(du, dv)), cv::NORM_L2SQR);

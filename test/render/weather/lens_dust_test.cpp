@@ -60,14 +60,14 @@ TEST(LensDust, IsDiscsAsWideAsTheApertureOnTheGlass) {
     const CameraModel camera = cameraOf(400.0);
     const cv::Rect box = changed(throughDust(plain(camera, 255), camera, {2e-4, seed}), 255);
     const cv::Rect inner(1, 1, camera.width() - 2, camera.height() - 2);
-    // One speck alone, all of which is in the picture.
+    // A single speck that is entirely in the picture.
     if (box.empty() || (box & inner) != box || std::abs(box.width - box.height) > 1) continue;
     ++found;
-    // 2 mm at 2 cm, and more by the speck's own 0.1 to 1 mm; what is fainter than a grey level is
-    // not seen.
+    // 2 mm at 2 cm, plus the speck's own 0.1 to 1 mm; what is fainter than a grey level is
+    // invisible.
     EXPECT_GE(box.width, 34) << seed;
     EXPECT_LE(box.width, 62) << seed;
-    // Twice as long a lens shows the same speck twice as large, as far from its axis.
+    // A lens of twice the focal length shows the same speck twice as large, as far from its axis.
     const CameraModel longer = cameraOf(800.0, 1280, 960);
     const cv::Rect larger = changed(throughDust(plain(longer, 255), longer, {2e-4, seed}), 255);
     EXPECT_NEAR(larger.width, 2 * box.width, 4) << seed;

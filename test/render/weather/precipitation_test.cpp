@@ -7,10 +7,10 @@
 namespace synthetic_dataset::render {
 namespace precipitation_test {
 
-/// What arrives on the ground of an hour of it, from the drops of 400 m^3 and their speeds [mm].
+/// The rain of an hour on the ground [mm], from the drops in 400 m^3 and their speeds.
 double hourOf(const Precipitation& rain) {
   constexpr int kCells = 400;
-  double flow = 0.0;  // [m^3/s] through a square metre, times the cells
+  double flow = 0.0;  // [m^3/s] through a square metre, summed over the cells
   for (int i = 0; i < kCells; ++i) {
     for (const Drop& drop : rain.in({i, 3, -7}, 2e-4, 5)) {
       flow += M_PI / 6.0 * std::pow(drop.diameter, 3) * rain.speedOf(drop.diameter);
@@ -20,7 +20,7 @@ double hourOf(const Precipitation& rain) {
 }
 
 TEST(Rain, HasAsMuchWaterAsFalls) {
-  // Marshall and Palmer's sizes are a fit: they and the speeds are not of one measurement.
+  // Marshall and Palmer's sizes are a fit and do not come from the same measurement as the speeds.
   for (const double rate : {2.0, 10.0, 50.0}) {
     EXPECT_NEAR(hourOf(Precipitation::rain(rate)) / rate, 1.0, 0.25) << rate;
   }

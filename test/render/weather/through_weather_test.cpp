@@ -9,7 +9,7 @@
 namespace synthetic_dataset::render {
 namespace through_weather_test {
 
-TakenView takenOf(float distance) {
+CapturedView takenOf(float distance) {
   return {{CameraModel(64, 48, {60, 60, 31.5, 23.5}, 0.1, 100.0), Pose::Identity()},
           cv::Mat(48, 64, CV_32FC1, cv::Scalar(distance)),
           1.0,
@@ -32,7 +32,7 @@ TEST(ThroughWeather, AnOverexposedPictureHasBrighterFog) {
   Weather weather;
   weather.visibility = 10.0;
   weather.colour = {0.0F, 0.5F, 0.0F};
-  TakenView taken = takenOf(std::numeric_limits<float>::infinity());
+  CapturedView taken = takenOf(std::numeric_limits<float>::infinity());
   taken.gain = 2.0;
   const cv::Vec3b seen = throughWeather(kRed, taken, weather, 0).at<cv::Vec3b>(20, 30);
   EXPECT_EQ(seen, cv::Vec3b(0, 175, 0));  // of twice the light of 0.5 (128)

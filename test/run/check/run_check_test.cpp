@@ -1,4 +1,4 @@
-/// Runs that are odd on purpose, each by one mistake that a user made, and such as are not.
+/// Runs that are odd on purpose, each by one mistake of a user, and runs that are not.
 
 #include "run/check/run_check.h"
 
@@ -45,7 +45,7 @@ class RunCheckTest : public test::RunFixture {
     return checkRun(Value(parameters), silent, {test::pluginXml()});
   }
 
-  /// "<kind> | <message>" of all that is odd.
+  /// "<kind> | <message>" of each finding.
   [[nodiscard]] std::vector<std::string> odd() const {
     std::vector<std::string> lines;
     for (const Finding& each : check().findings)
@@ -53,7 +53,7 @@ class RunCheckTest : public test::RunFixture {
     return lines;
   }
 
-  /// What its scenes warn of.
+  /// The warnings of the run's scenes.
   [[nodiscard]] std::vector<std::string> warnings() const {
     WarningList reporter;
     (void)checkRun(Value(parameters), reporter, {test::pluginXml()});
@@ -90,7 +90,7 @@ class RunCheckTest : public test::RunFixture {
     addToWorld(crate);
   }
 
-  /// A second of a recording, in which alpha is somewhere at each time and bravo goes along.
+  /// Records a second in which alpha has the given poses and bravo drives along.
   void record(const std::function<Pose(double seconds)>& alpha) {
     test::BagBuilder bag(run.folder() / "tiny.bag");
     for (int i = 0; i <= 20; ++i) {
@@ -321,7 +321,7 @@ TEST_F(RunCheckTest, AGroundThatEndsIsNamed) {
 }
 
 TEST_F(RunCheckTest, AGroundThatEndsIsNamedThoughItsCollisionHasNoEnd) {
-  // As Gazebo's own ground_plane: a picture of 100 m, and a plane for physics all over.
+  // Like Gazebo's own ground_plane: a visual of 100 m, and an infinite plane for physics.
   replaceInWorld("<geometry><box><size>8 8 0.2</size></box></geometry></collision>",
                  "<geometry><plane><normal>0 0 1</normal><size>8 8</size></plane></geometry>"
                  "</collision>");

@@ -17,7 +17,7 @@ using ::testing::Pair;
 
 const CameraModel kCamera(640, 480, {500.0, 500.0, 320.0, 240.0}, 0.05, 100.0);
 
-/// A plain image, 640 px wide, whose left half is stripes of 20 px; without a label.
+/// A plain image without labels, 640 px wide, whose left half has stripes of 20 px.
 Scene stripedScene() {
   Scene scene(kCamera);
   scene.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(90));
@@ -26,7 +26,7 @@ Scene stripedScene() {
 }
 
 TEST(SurroundingDetail, IsTheShareThatIsNotPlain) {
-  // A small pixel in two has another tone at its right, of 32 of 63.
+  // The image shrinks to 64 columns. Half of the 32 striped ones have another tone at their right.
   EXPECT_NEAR(surroundingDetail(stripedScene()).value(), 16.0 / 63.0, 0.02);
 }
 

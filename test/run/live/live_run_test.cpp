@@ -33,7 +33,7 @@ class LiveRunTest : public testing::Test {
  protected:
   LiveRunTest() { test::preparePluginEnvironment(); }
 
-  /// The scene as a run makes it that knows nothing of those before.
+  /// The scene as made by a fresh run, which knows nothing of earlier scenes.
   [[nodiscard]] static Scene freshScene(const Value::Map& settings, std::int64_t index) {
     RunSetup setup = setUpRun(Value(settings), {test::pluginXml()});
     OneSceneSink sink(index);
@@ -89,7 +89,7 @@ TEST_F(LiveRunTest, GlancesAtTheSameScenesCoarsely) {
     cv::resize(whole.image, shrunk, coarse.size(), 0.0, 0.0, cv::INTER_AREA);
     cv::Mat difference;
     cv::absdiff(coarse, shrunk, difference);
-    // Edges are sharp in one of them alone; elsewhere they are alike.
+    // Only one of them has sharp edges; elsewhere they are alike.
     EXPECT_LT(cv::mean(difference)[0], 6.0) << instant;
   }
 }
@@ -110,7 +110,7 @@ TEST_F(LiveRunTest, GlancesFromWhereTheCameraIsMoved) {
   cv::resize(there.image, shrunk, moved.size(), 0.0, 0.0, cv::INTER_AREA);
   EXPECT_LT(cv::norm(moved, shrunk, cv::NORM_L1), cv::norm(first, shrunk, cv::NORM_L1));
   EXPECT_THROW((void)live.glance(99, "", here.X_GC), Error);
-  // What it draws with does not change the run's own scenes.
+  // A glance does not change the run's own scenes.
   expectSame(live.scene(1).scene, freshScene(settings, 1));
 }
 
@@ -145,7 +145,7 @@ TEST_F(LiveRunTest, ShowsWhatAFreshRunMakesAfterAnyChanges) {
   }
 }
 
-/// The ball falls and is pushed meanwhile: where it lies depends on all that was before.
+/// The ball falls and is pushed meanwhile: where it lies depends on all that happened before.
 TEST_F(LiveRunTest, JumpsToAndFroInARecording) {
   live.setSettings(settings);
   for (const std::int64_t instant : {3, 1, 2, 3, 0}) {
@@ -288,7 +288,7 @@ TEST_F(LiveRunTest, ShowsTheWorldWithoutWhatIsMissing) {
 }
 
 TEST_F(LiveRunTest, PicksPointsOnAModelWhereItsPortraitIsClicked) {
-  settings.erase("camera");  // the object alone has to be right
+  settings.erase("camera");  // only the object has to be right
   live.setSettings(settings);
   ASSERT_FALSE(live.setup().ready);
   Viewpoint front;

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::run {
 namespace floor_plan_test {
 
-/// Boxes that stand still, each with its middle somewhere.
+/// Static boxes, each with its middle at a given place.
 struct Boxes {
   void add(const Eigen::Vector3d& size, const Eigen::Vector3d& middle) {
     world::Visual visual;

@@ -11,7 +11,7 @@ bool isRed(const cv::Mat& picture, int u, int v) {
   return picture.at<cv::Vec3b>(v, u) == cv::Vec3b(0, 0, 255);
 }
 
-/// Of 11 m by 5.5 m: 100 pixels a metre.
+/// A map of 11 m by 5.5 m, with 100 pixels per metre.
 MapPaper paper() {
   return MapPaper(Eigen::AlignedBox2d(Eigen::Vector2d(-1, -2), Eigen::Vector2d(10, 3.5)));
 }

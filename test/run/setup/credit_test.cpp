@@ -15,7 +15,7 @@ class Credits : public testing::Test {
     (void)folder_.write(name, content);
   }
 
-  /// The name of a file that names something, below the folder.
+  /// A file's path relative to the folder; empty if there is no file.
   [[nodiscard]] std::string below(const std::filesystem::path& file) const {
     return file.empty() ? "" : file.lexically_relative(folder_.path()).string();
   }

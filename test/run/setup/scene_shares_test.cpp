@@ -11,7 +11,7 @@ namespace scene_shares_test {
 
 using ::testing::ElementsAre;
 
-/// What is said of motions that cannot share.
+/// The errors of motions that cannot share.
 std::vector<std::string> errorsOf(const std::vector<SharingMotion>& motions,
                                   std::optional<std::int64_t> total) {
   return test::messagesOf([&] { static_cast<void>(sharesOf(motions, total)); });
@@ -43,7 +43,7 @@ TEST(SharesOf, AreTheMostForWhichAllHaveEnoughWithoutATotal) {
   EXPECT_THAT(sharesOf({{"a", 1, 10}, {"b", 2, 100}}, std::nullopt), ElementsAre(10, 20));
   EXPECT_THAT(sharesOf({{"a", 1, 100}, {"b", 2, 20}}, std::nullopt), ElementsAre(10, 20));
   EXPECT_THAT(sharesOf({{"a", 1, 7}}, std::nullopt), ElementsAre(7));
-  // Tenths are no binary fractions, and not one scene is lost by that.
+  // Tenths are not exact in binary, but not one scene is lost by that.
   EXPECT_THAT(sharesOf({{"a", 0.1, 10}, {"b", 0.2, 20}, {"c", 0.3, 30}}, std::nullopt),
               ElementsAre(10, 20, 30));
 }

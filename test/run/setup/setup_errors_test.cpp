@@ -97,7 +97,7 @@ TEST_F(UnknownOfMotions, OfTheRunsGroupIsNotThatOfAMotionWithOtherSettingsInIt) 
 }
 
 TEST_F(UnknownOfMotions, IsNotASettingThatOneMotionReadsAndAnotherReplaces) {
-  // The first one has a sample instead of the run's pose.
+  // The first motion has a sample instead of the run's pose.
   add("{camera: {sample: 1}}", "{camera: {sample: 1}}", {"camera/sample"});
   add("{camera: {pose: 1}}", "{}", {"camera/pose"});
   EXPECT_THAT(unknownParameters(entries, roots), IsEmpty());

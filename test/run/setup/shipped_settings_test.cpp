@@ -27,7 +27,7 @@ Value::Map shipped(const std::string& name) {
                               [](const std::string&) { return test::sourceFolder(); });
 }
 
-/// Another home for a while.
+/// Sets another HOME during its lifetime.
 class HomeElsewhere {
  public:
   explicit HomeElsewhere(const char* home) {
@@ -68,7 +68,7 @@ TEST(ShippedSettings, OfThePresetGoBelowAnyOthers) {
   EXPECT_THAT(errorsOf(settings), IsEmpty());
 }
 
-/// The least of what an entry draws; of a normal distribution without bounds the mean.
+/// The least value that an entry can draw; the mean of a normal distribution without bounds.
 Value leastOf(const Value& entry) {
   const auto* map = entry.as<Value::Map>();
   if (map == nullptr) return entry;
@@ -89,7 +89,7 @@ TEST(ShippedSettings, OfThePresetLeaveTheDarkestSceneVisible) {
   settings = *expandPreset(Value(settings), inputs).settings.as<Value::Map>();
   settings["randomize"] = leastOf(settings["randomize"]);
   Value::Map& lights = *settings["randomize"].as<Value::Map>()->at("lights").as<Value::Map>();
-  (*lights.at("every").as<Value::Map>())["present"] = Value(0.0);  // all off, but for one
+  (*lights.at("every").as<Value::Map>())["present"] = Value(0.0);  // all but one are off
   Reporter silent;
   const RunCheck check = checkRun(Value(settings), silent, {test::pluginXml()});
   for (const FinishedScene& each : check.scenes) {

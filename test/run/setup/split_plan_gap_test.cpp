@@ -14,7 +14,7 @@ config::SplitConfig halves(double gap) {
   return config;
 }
 
-/// So many times, a second apart.
+/// A timeline of this many times, a second apart.
 motion::Timeline seconds(int count) {
   motion::Timeline timeline;
   for (int i = 0; i < count; ++i) timeline.stamps.emplace_back(std::chrono::seconds(i));

@@ -47,7 +47,7 @@ TEST(SplitPlan, DrawsKeepTheCountsAndMixTheScenes) {
   const auto splits = plan.splits(1);
   EXPECT_EQ(splits[0].scene_count, 800);
   EXPECT_EQ(splits[1].scene_count, 100);
-  // In blocks, the first half would have none of them. Drawn, 50 +- 5 (one standard deviation).
+  // In blocks, the first half would have none of them; drawn, 50 +- 5 (one standard deviation).
   int in_first_half = 0;
   for (int i = 0; i < 500; ++i) in_first_half += plan.at(i) == "val" ? 1 : 0;
   EXPECT_GT(in_first_half, 25);

@@ -27,7 +27,7 @@ class CalibrationFile : public ::testing::Test {
   test::TemporaryFolder folder;
 };
 
-/// That the camera shows points where OpenCV does with the same numbers.
+/// Expects the camera to show points where OpenCV does with the same numbers.
 void expectAsOpenCv(const CameraModel& camera, const cv::Matx33d& K, const std::vector<double>& D) {
   const std::vector<cv::Point3d> points = {{0.1, -0.2, 1.0}, {-0.4, 0.3, 2.0}, {0.5, 0.1, 1.5}};
   std::vector<cv::Point2d> pixels;
@@ -228,7 +228,7 @@ TEST_F(CalibrationFile, ThatOpenCvCannotReadSaysSo) {
               ElementsAre(HasSubstr("found no camera matrix")));
 }
 
-/// OpenCV's own parsers end the program.
+/// OpenCV's own parsers would end the program.
 TEST_F(CalibrationFile, OfOpenCvThatNestsWithoutBoundIsRefused) {
   const auto repeated = [](const std::string& part, int count) {
     std::string text;

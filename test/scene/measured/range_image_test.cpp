@@ -11,7 +11,7 @@ CameraModel camera(int width, int height, double focal) {
   return {width, height, {focal, focal, 0.5 * (width - 1), 0.5 * (height - 1)}, 0.05, 100.0};
 }
 
-/// Where a ray meets a wall at z = `depth` of the camera.
+/// The range at which a pixel's ray meets a wall at z = `depth` in the camera's frame.
 double rangeOfWall(const CameraModel& of, const cv::Point& pixel, double depth) {
   const Eigen::Vector3d ray = *of.ray({static_cast<double>(pixel.x), static_cast<double>(pixel.y)});
   return depth / ray.z();
@@ -40,7 +40,7 @@ TEST(RangeImage, OfASmallerCameraBesideHasNoHoles) {
   const cv::Mat_<float> ranges = rangesOfDepth(wall, DepthLens(small), X_CD, large);
   for (int y = 0; y < 90; ++y) {
     for (int x = 0; x < 120; ++x) {
-      // A pixel of the depth camera is 6 of the picture's, over which the range changes a little.
+      // A depth pixel spans 6 of the picture's pixels, over which the range changes a little.
       EXPECT_NEAR(ranges(y, x), rangeOfWall(large, {x, y}, 2.0), 0.06) << x << ' ' << y;
     }
   }

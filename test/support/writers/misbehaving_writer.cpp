@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::test {
 
-/// Does wrong what the parameter `fault` asks for.
+/// Misbehaves in the way that the parameter `fault` names.
 class MisbehavingWriter : public LabelWriter {
  private:
   void doInitialize(WriterParameters& parameters, const DatasetInfo& /*dataset*/) override {

@@ -5,15 +5,15 @@
 
 namespace synthetic_dataset::test {
 
-/// Sets this process' environment as a sourced workspace does, so that pluginlib finds this
+/// Sets this process's environment as a sourced workspace does, so that pluginlib finds this
 /// package's plugins and those of the tests.
 /// @param packages  folders of more packages with plugins
 void preparePluginEnvironment(const std::vector<std::string>& packages = {});
 
-/// The plugin description of this package, as users have it.
+/// The plugin description of this package, the one that users have.
 [[nodiscard]] std::string pluginXml();
 
-/// The plugin description of the example of another package's writer (examples/box_table_writer).
+/// The plugin description of the example package with a writer (examples/box_table_writer).
 [[nodiscard]] std::string examplePluginXml();
 
 /// The plugin description of the tests' misbehaving writers.

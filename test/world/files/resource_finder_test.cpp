@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::Optional;
 
-/// An environment variable for as long as it lives.
+/// An environment variable that is set for as long as the object lives.
 class Variable {
  public:
   Variable(const char* name, const std::string& value) : name_(name) {

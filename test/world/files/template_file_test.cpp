@@ -24,14 +24,14 @@ class Xacro : public testing::Test {
  protected:
   ~Xacro() override { setenv("PATH", path_.c_str(), 1); }
 
-  /// A program `xacro` before all others on PATH.
+  /// Puts a program `xacro` before all others on PATH.
   void install(const std::string& script) const {
     const auto file = folder_.write("bin/xacro", "#!/bin/sh\n" + script);
     chmod(file.c_str(), 0755);
     setenv("PATH", ((folder_ / "bin").string() + ":" + path_).c_str(), 1);
   }
 
-  /// A PATH without xacro and without Python.
+  /// Sets a PATH without xacro and without Python.
   void uninstall() const {
     (void)folder_.write("none/nothing", "");
     setenv("PATH", (folder_ / "none").c_str(), 1);

@@ -73,7 +73,7 @@ TEST(GazeboPicture, FitsItselfAtItsEdges) {
     const int last = picture.cols - 1;
     const double seam = cv::norm(picture.col(0), picture.col(last), cv::NORM_L1);
     const double inside = cv::norm(picture.col(last / 2), picture.col(last / 2 + 1), cv::NORM_L1);
-    const double grey_level = 3.0 * picture.rows;  // a row, each of three channels
+    const double grey_level = 3.0 * picture.rows;  // one level in all rows and channels
     EXPECT_LT(seam, 2.0 * inside + grey_level) << file;
   }
 }

@@ -31,7 +31,7 @@ TEST(OgreMaterial, ReadsColours) {
   EXPECT_TRUE(found.diffuse.isApprox(Eigen::Vector4f(0.1F, 0.2F, 0.3F, 1)));
   EXPECT_TRUE(found.specular.isApprox(Eigen::Vector3f(0.4F, 0.5F, 0.6F)));
   EXPECT_TRUE(found.emissive.isApprox(Eigen::Vector3f(0, 1, 0)));
-  // Walter et al.: an exponent of 12.5 is an alpha of sqrt(2 / 14.5), of a roughness squared.
+  // Walter et al.: an exponent of 12.5 means an alpha of sqrt(2 / 14.5), the squared roughness.
   EXPECT_NEAR(found.roughness * found.roughness, 0.3714F, 1e-4F);
 }
 
@@ -47,7 +47,7 @@ TEST(OgreMaterial, HasAnAmbientColourOfItsOwn) {
   EXPECT_EQ(readPass("diffuse .1 .2 .3").source.material.ambient, Eigen::Vector3f(1, 1, 1));
 }
 
-/// As the lines of a playing field are drawn.
+/// This is how the lines of a playing field are drawn.
 TEST(OgreMaterial, HasItsBlendedPassesAsOverlays) {
   const MaterialSource found =
       read(
@@ -149,7 +149,7 @@ TEST(OgreMaterial, TakesAnAnimationsFirstFrame) {
 TEST(OgreMaterial, ScalesPicturesAboutTheirMiddle) {
   const Material found =
       readPass("texture_unit { texture a.png\n scale 0.5 2\n scroll 0.25 0 }").source.material;
-  // Half as large: twice as many of them, and the middle stays in its place.
+  // Half as wide, so twice as many; only the scroll moves the middle.
   EXPECT_EQ(found.texture_scale, Eigen::Vector2f(2.0F, 0.5F));
   const Eigen::Vector2f middle(0.5F, 0.5F);
   const Eigen::Vector2f placed = middle.cwiseProduct(found.texture_scale) + found.texture_offset;

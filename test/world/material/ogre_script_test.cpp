@@ -24,7 +24,7 @@ std::string errorOf(const std::string& text) {
   return "";
 }
 
-/// The named material of a script with what it inherits, its variables replaced.
+/// The named material of a script, with what it inherits and with its variables replaced.
 OgreObject resolved(const std::string& text, const std::string& name) {
   const OgreScript script = parseOgreScript(text);
   const auto look_up = [&](const std::string& kind, const std::string& wanted) {

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::world {
 namespace closed_surface_test {
 
-/// A mesh and another one.
+/// A mesh joined with another one, which is shifted.
 Mesh together(Mesh mesh, const Mesh& other, const Eigen::Vector3f& shift) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const Eigen::Vector3f& position : other.positions)

@@ -34,7 +34,7 @@ TEST(MeshFileBytes, TakeAnyByteForATruth) {
         EXPECT_TRUE(source.material.lit);
       }
     } catch (const Error&) {
-      // It was a count.
+      // The changed byte was part of a count.
     }
   }
 }

@@ -128,7 +128,7 @@ TEST_F(MeshLoaderTest, KeepsSharpEdgesOfGeneratedNormals) {
 
 TEST_F(MeshLoaderTest, PutsTheTexturesFirstRowAtZero) {
   const auto mesh = loader_.whole(request("a.obj", kTriangleObj));
-  // OBJ counts from the picture's lower edge.
+  // In OBJ files, v is 0 at the picture's lower edge.
   EXPECT_EQ(mesh->texture_coordinates[0], Eigen::Vector2f(0, 1));
   EXPECT_EQ(mesh->texture_coordinates[2], Eigen::Vector2f(0, 0));
 }
@@ -139,7 +139,7 @@ TEST_F(MeshLoaderTest, AppliesColladasUnitAndNodes) {
   EXPECT_TRUE(box.max().isApprox(Eigen::Vector3f(0.0254F, 0.0508F, 0.127F), 1e-6F));
 }
 
-/// Gazebo's common::Material has it where a file says nothing.
+/// The default of Gazebo's common::Material.
 TEST_F(MeshLoaderTest, GivesColladasWithoutAnAmbientColourThatOfGazebo) {
   std::string text = collada(kMetresYUp);
   EXPECT_EQ(materialOf(request("a.dae", text)).ambient, Eigen::Vector3f(0.4F, 0.4F, 0.4F));

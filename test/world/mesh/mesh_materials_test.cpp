@@ -23,7 +23,7 @@ class MeshMaterialTest : public testing::Test {
     request.file = folder_.write(name, content);
     return request;
   }
-  /// A triangle in a material of a MTL file.
+  /// A triangle in a material of an MTL file.
   MeshRequest obj(const std::string& mtl) const {
     folder_.write("a.mtl", "newmtl m\n" + mtl);
     return write("a.obj", "mtllib a.mtl\nusemtl m\n" + std::string(kTriangleObj));
@@ -71,8 +71,8 @@ TEST_F(MeshMaterialTest, ShowsTheColourWithoutAPictureThatIsMissing) {
   EXPECT_EQ(found.texture, nullptr);
 }
 
-/// glTF: one triangle (0 0 0, 1 0 0, 0 2 0) with vertex colours and texture coordinates, its
-/// numbers in base 64; four bytes a colour: red, green, a half of blue.
+/// glTF: one triangle (0 0 0, 1 0 0, 0 2 0), its numbers in base 64; those of the positions are
+/// also its vertex colours and texture coordinates.
 std::string gltf(const std::string& material, const std::string& more = "") {
   return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0, "name": "part"}], "materials": [)" +
@@ -153,11 +153,11 @@ TEST_F(MeshMaterialTest, ReadsGltfsTextureTransform) {
       "a.gltf", gltf(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions":
                   {"KHR_texture_transform": {"offset": [0.25, 0.125], "scale": [2, 4]}}}}})",
                      texture("p.png") + R"(, "extensionsUsed": ["KHR_texture_transform"])")));
-  if (assimpHasGaps()) {  // which is noted
+  if (assimpHasGaps()) {  // the loader notes it
     EXPECT_TRUE(found.texture_scale.isOnes());
     return;
   }
-  // KHR_texture_transform: scaled, then shifted, with v downwards as here.
+  // KHR_texture_transform: scaled, then shifted, with v downwards as in our meshes.
   EXPECT_TRUE(found.texture_scale.isApprox(Eigen::Vector2f(2, 4)));
   EXPECT_TRUE(found.texture_offset.isApprox(Eigen::Vector2f(0.25F, 0.125F)));
 }
@@ -165,7 +165,7 @@ TEST_F(MeshMaterialTest, ReadsGltfsTextureTransform) {
 TEST_F(MeshMaterialTest, ReadsGltfsLinearVertexColours) {
   const Mesh& mesh = meshOf(write("a.gltf", gltf("{}")));
   ASSERT_THAT(mesh.colours, SizeIs(mesh.positions.size()));
-  // The positions stand for colours: of the second vertex linear red, of the first black.
+  // The positions double as colours: the second vertex is linear red, the first one black.
   EXPECT_EQ(mesh.colours[0], Eigen::Vector4f(0, 0, 0, 1));
   EXPECT_TRUE(mesh.colours[1].isApprox(Eigen::Vector4f(1, 0, 0, 1)));
 }
@@ -205,10 +205,10 @@ std::string binaryStl(std::uint16_t attribute) {
 }
 
 TEST_F(MeshMaterialTest, ReadsVisCamsColoursOfBinaryStlFiles) {
-  // Bit 15 says that there is a colour; five bits of red, green and blue from the highest on.
+  // Bit 15 says that there is a colour; below it are five bits each of red, green and blue.
   const MeshRequest request = write("a.stl", binaryStl(0x8000U | 31U << 10U));
   const Mesh& mesh = meshOf(request);
-  if (assimpHasGaps()) {  // it would have wrong ones
+  if (assimpHasGaps()) {  // its colours would be wrong
     EXPECT_THAT(mesh.colours, IsEmpty());
     return;
   }

@@ -1,4 +1,5 @@
-/// Mesh files that Gazebo reads and assimp does not, or not rightly; and what a file may name.
+/// Mesh files that Gazebo reads and assimp does not, or not correctly; and which other files a mesh
+/// file may refer to.
 
 #include <Eigen/Geometry>
 
@@ -110,7 +111,7 @@ TEST_F(MeshRepair, ReadsObjAndItsLibraryWithMarksAndBlanks) {
   const MeshFile file =
       read("a.obj", "\xEF\xBB\xBFmtllib a.mtl \nusemtl red\t\n" + std::string(kTriangleObj));
   const MaterialSource& material = file.materials.at(file.parts.at(0).material);
-  EXPECT_FALSE(material.made_up);
+  EXPECT_FALSE(material.is_default);
   EXPECT_EQ(material.material.diffuse, Eigen::Vector4f(1, 0, 0, 1));
   EXPECT_THAT(file.notes, IsEmpty());
 }
@@ -138,7 +139,7 @@ TEST_F(MeshRepair, TakesIndicesOfWhatAFileDoesNotHaveFromItsFaces) {
 
 TEST_F(MeshRepair, HasNoMaterialsWhereTheLibraryIsMissing) {
   const MeshFile file = read("a.obj", "mtllib gone.mtl\nusemtl red\n" + std::string(kTriangleObj));
-  EXPECT_TRUE(file.materials.at(file.parts.at(0).material).made_up);
+  EXPECT_TRUE(file.materials.at(file.parts.at(0).material).is_default);
   EXPECT_THAT(file.notes, ElementsAre(HasSubstr("its material library 'gone.mtl' is not there")));
 }
 
@@ -152,7 +153,7 @@ TEST_F(MeshRepair, RefusesALibraryThatIsAPipeAtOnce) {
   }
 }
 
-/// A triangle whose numbers are in another file, with a picture.
+/// glTF: a triangle with a picture, its numbers in another file.
 std::string gltf(const std::string& buffer, const std::string& picture) {
   return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
 "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],

@@ -16,7 +16,7 @@ Visual visualOf(std::shared_ptr<const Mesh> mesh, const Pose& X_LV = Pose::Ident
   return visual;
 }
 
-/// A round link, a box beside another in one, one without visuals.
+/// A round link, a link of two boxes, and one without visuals.
 std::vector<Link> someLinks() {
   std::vector<Link> links(3);
   links[0].visuals = {visualOf(sphereMesh(0.4, 40))};

@@ -25,8 +25,7 @@ Link linkOf(std::shared_ptr<const Mesh> mesh, const Material& material = {},
   return link;
 }
 
-/// The volume that the triangles enclose, positive where they run counter-clockwise
-/// outside.
+/// The volume that the triangles enclose, positive if they are counter-clockwise from outside.
 double volume(const ObjectModel& model) {
   double sum = 0.0;
   for (const ObjectModel::Triangle& triangle : model.triangles) {
@@ -153,7 +152,7 @@ TEST(ObjectMesh, MultipliesColoursAsLight) {
 
   const ObjectModel model = objectModel({&link}, {Pose::Identity()});
 
-  // sRGB's 0.5 is 0.2140 of the light; its square, 0.0458, is sRGB's 0.2370.
+  // sRGB 0.5 is 0.2140 in linear light; its square, 0.0458, is sRGB 0.2370.
   EXPECT_EQ(model.vertices[0].colour, (Rgb{60, 128, 0}));
 }
 

@@ -13,7 +13,7 @@ const Wanted& shapeOf(const Model& model, std::size_t collision) {
   return std::get<Wanted>(model.links.at(0).collisions.at(collision).shape);
 }
 
-/// Everything that a model can have, with a mesh that is seen, seen again and touched.
+/// A model with all kinds of parts, whose mesh belongs to two surfaces and a collision.
 Model everything() {
   const auto mesh = weldedBoxMesh({1, 2, 3});
   Model model;
@@ -55,7 +55,7 @@ TEST(ScaledModel, SharesWhatTheModelShares) {
   EXPECT_EQ(surfaces[0].mesh, shapeOf<MeshShape>(made, 3).mesh);
 }
 
-/// Against a box of that size and density, whose inertia is that of the textbook.
+/// Compared with a box of that size and density, with the inertia from textbooks.
 TEST(ScaledModel, IsOfTheSameDensity) {
   const auto inertiaOfBox = [](const Eigen::Vector3d& size, double density) {
     Inertia inertia;

@@ -63,7 +63,7 @@ TEST(FarthestPoints, LieOnTheSurfaceBetweenTheCornersToo) {
 TEST(FarthestPoints, AreAsFarApartAsGreedyChoiceByBruteForce) {
   const Link ball = linkWith(sphereMesh(1.0, 12));
   const auto chosen = positions(farthestPoints({&ball}, 9), {&ball});
-  // By hand, on the vertices alone.
+  // By brute force, among the vertices only.
   std::vector<Eigen::Vector3d> greedy;
   const auto& vertices = ball.visuals[0].surfaces[0].mesh->positions;
   greedy.push_back(vertices[0].cast<double>());

@@ -8,7 +8,7 @@
 namespace synthetic_dataset::world {
 namespace overlap_finder_test {
 
-/// Two objects, and perhaps static models, in a world that stands.
+/// The overlaps of objects, and perhaps of static models, in a world that does not move.
 std::vector<Interpenetration> overlaps(const std::vector<Model>& objects,
                                        const std::vector<Model>& statics = {},
                                        double tolerance = 0.01) {
@@ -103,7 +103,7 @@ TEST(Interpenetration, WithPropsIsNone) {
 }
 
 TEST(Interpenetration, IsExactFarFromTheOrigin) {
-  // A UTM map: single precision alone would be good for half a metre here.
+  // UTM coordinates: single precision resolves only half a metre at this distance.
   const double far = 5.0e6;
   const auto found =
       overlaps({modelOf("a", kCube, at(far, 0, 0)), modelOf("b", kCube, at(far + 0.95, 0, 0))},

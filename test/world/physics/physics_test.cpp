@@ -190,7 +190,7 @@ TEST(Physics, ObjectPushesAPropAlong) {
 
   const Pose crate = poseAfter(world, 1, seconds(4), motion);
 
-  // The robot's front is at 1.25 m; the crate stands right before it.
+  // The robot's front is at 1.25 m; the crate stands right in front of it.
   EXPECT_NEAR(crate.translation().x(), 1.25 + 0.2, 3e-3);
   EXPECT_NEAR(crate.translation().y(), 0.0, 1e-2);
   EXPECT_NEAR(crate.translation().z(), 0.2, 2e-3);
@@ -261,7 +261,7 @@ TEST(Physics, JumpOfAnObjectDoesNotShootPropsAway) {
 }
 
 TEST(Physics, TurnOfAnObjectCarriesPropsRound) {
-  // A turntable at 0.5 rad/s for pi seconds; the box near its rim ends up a quarter further.
+  // A turntable at 0.5 rad/s for pi seconds; the box near its rim ends up a quarter turn further.
   const auto motion = [](int, Stamp time) {
     return turnedAt({0, 0, 0.1}, 0.5 * std::min(toSeconds(time), M_PI), {0, 0, 1});
   };
@@ -310,7 +310,7 @@ TEST(Physics, LinksOfAPropHoldTogether) {
 }
 
 TEST(Physics, TopHeavyPropTopples) {
-  // The same box stands or topples, as its centre of mass lies above its foot or beside it.
+  // The same box stands if its centre of mass is above its foot, and topples if it is beside it.
   const auto tilt = [](double offset) {
     Model box = modelOf("box", BoxShape{{0.2, 0.2, 0.6}}, at(0, 0, 0.3));
     box.links[0].inertia = Inertia{2.0, {offset, 0, 0.1}, 0.05 * Eigen::Matrix3d::Identity()};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Models of one or few simple shapes, in a line.
+/// Models of one or a few simple shapes, each made in one line.
 
 #include <cmath>
 #include <memory>
@@ -56,7 +56,7 @@ inline Model staticModelOf(const std::string& name, const Shape& shape,
 /// The plane z = 0, solid below.
 inline Model ground() { return staticModelOf("ground", PlaneShape{{0, 0, 1}}); }
 
-/// A box about the origin of eight corners that its sides share, two triangles a side; no normals.
+/// A box about the origin with eight corners shared by its sides, two triangles a side; no normals.
 inline std::shared_ptr<const Mesh> weldedBoxMesh(const Eigen::Vector3d& size) {
   auto mesh = std::make_shared<Mesh>();
   for (int corner = 0; corner < 8; ++corner) {

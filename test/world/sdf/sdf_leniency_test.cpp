@@ -1,4 +1,4 @@
-/// What Gazebo opens although something in it is wrong.
+/// Files that Gazebo opens although something in them is wrong.
 
 #include <gmock/gmock.h>
 

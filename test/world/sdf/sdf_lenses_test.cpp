@@ -83,7 +83,7 @@ TEST(SdfLens, EquidistantFillsTheImagesWidth) {
   EXPECT_NEAR(model.ray({799.5, 399.5})->z(), std::cos(1.7), 1e-6);
 }
 
-/// Radius on the image [px] of an angle from the axis.
+/// The radius on the image [px] at an angle from the axis.
 double radiusOf(const CameraModel& model, double angle) {
   const auto pixel = model.project({std::sin(angle), 0.0, std::cos(angle)});
   return pixel ? pixel->x() - model.intrinsics().cx : std::nan("");

@@ -27,7 +27,7 @@ CameraSensor loadCamera(const std::string& camera) {
 TEST(SdfCamera, LooksAlongItsLinksX) {
   const CameraSensor camera = loadCamera(kRightAngle + kImage);
   EXPECT_EQ(camera.name, "robot::body::eye");
-  // Turned by a quarter, the model's x is the world's y; the camera stands 1 m along it.
+  // After a quarter turn, the model's x is the world's y; the camera is 1 m along it.
   const Eigen::Vector3d p_WC = camera.X_WC.translation();
   EXPECT_TRUE(p_WC.isApprox(Eigen::Vector3d(0, 1, 1), 1e-9));
   EXPECT_TRUE((camera.X_WC * Eigen::Vector3d(0, 0, 1) - p_WC).isApprox(Eigen::Vector3d(0, 1, 0)));

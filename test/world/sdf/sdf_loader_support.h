@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tiny worlds, models and meshes as text, and the matchers of what they become; for
+/// Tiny worlds, models and meshes as text, and matchers for what they become; meant for
 /// `using namespace test`.
 
 #include <string>
@@ -71,7 +71,7 @@ constexpr const char* kTriangleObj =
   return world::loadWorld(folder.write("world.sdf", text).string(), finderIn(folder));
 }
 
-/// The same, without what is missing.
+/// The world that a world file's text describes, without missing assets.
 [[nodiscard]] inline world::Description loadWithoutMissing(const TemporaryFolder& folder,
                                                            const std::string& text) {
   world::LoadOptions options;
@@ -93,13 +93,13 @@ constexpr const char* kTriangleObj =
       .visuals.at(0);
 }
 
-/// What is noted of a world that loads nevertheless.
+/// The notes on a world that loads nevertheless.
 [[nodiscard]] inline std::vector<std::string> notesOf(const TemporaryFolder& folder,
                                                       const std::string& text) {
   return loadText(folder, text).notes;
 }
 
-/// What loading the file complains of.
+/// The errors of loading the file.
 [[nodiscard]] inline std::vector<std::string> errorsOfFile(const TemporaryFolder& folder,
                                                            const std::string& uri) {
   try {

@@ -137,7 +137,7 @@ TEST(SdfLoader, ResolvesPosesInOtherFrames) {
                              "<parent>body</parent><child>pin</child></joint>")));
   const Model& cup = world.models.at(0);
   EXPECT_TRUE(isAt(cup.X_WM, 0, 1, 1, kQuarter));
-  EXPECT_TRUE(isAt(cup.links.at(1).X_ML, 3, 4, 2, 0));  // the joint lies in its child's frame
+  EXPECT_TRUE(isAt(cup.links.at(1).X_ML, 3, 4, 2, 0));  // the joint's pose is in its child's frame
 }
 
 TEST(SdfLoader, PutsModelsWhereASavedWorldsStateHasThem) {
@@ -151,7 +151,7 @@ TEST(SdfLoader, PutsModelsWhereASavedWorldsStateHasThem) {
 
 TEST(SdfLoader, ReadsInertia) {
   const TemporaryFolder folder;
-  // Turned by a quarter about z, the moments about x and y change places.
+  // After a quarter turn about z, the moments about x and y are swapped.
   const Description world = loadText(
       folder, worldFile(modelElement(
                   "m", linkElement("<inertial><pose>0.1 0.2 0.3 0 0 1.57079632679489662</pose>"

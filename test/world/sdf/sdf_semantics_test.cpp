@@ -1,4 +1,5 @@
-/// Which model stands, moves and is where: what Gazebo Classic and the versions of SDF mean.
+/// Which models are static, which move, and where they are, as defined by Gazebo Classic and the
+/// versions of SDF.
 
 #include <array>
 #include <string>

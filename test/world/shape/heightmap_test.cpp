@@ -17,7 +17,7 @@ using testing::FloatNear;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A picture's file.
+/// Writes a picture and returns its file.
 template <class Pixel>
 std::filesystem::path writePicture(const TemporaryFolder& folder, const cv::Mat_<Pixel>& pixels) {
   const std::string file = (folder / "heights.png").string();
@@ -132,7 +132,7 @@ TEST(Heightmap, RepeatsTexturesByTheirSize) {
 
 TEST(Heightmap, LaysTexturesOverOneAnotherByHeight) {
   const TemporaryFolder folder;
-  // A step: heights 0, 0, 10 in each row.
+  // A step: heights 0, 0, 5, 10 m in each row.
   Heightmap heightmap =
       heightmapOf(writePicture(folder, cv::Mat_<uchar>({2, 4}, {0, 0, 100, 200, 0, 0, 100, 200})));
   heightmap.textures = {texture(folder, "grass.png", 1), texture(folder, "rock.png", 1)};

@@ -27,7 +27,7 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-/// The least cosine between a triangle's side and the normals of its corners.
+/// The least cosine between a triangle's own normal and the normals at its corners.
 double worstNormal(const Mesh& mesh) {
   double worst = 1.0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -70,7 +70,7 @@ TEST(SphereMesh, IsNowhereDeeperThanTwoPerMill) {
     const Eigen::Vector3d c = corner(*mesh, i + 2);
     EXPECT_NEAR(a.norm(), 2.0, 1e-5);
     const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
-    EXPECT_GT(normal.dot(a), 2.0 * (1.0 - 0.002));  // of the triangle's plane from the centre
+    EXPECT_GT(normal.dot(a), 2.0 * (1.0 - 0.002));  // the plane's distance from the centre
   }
 }
 
@@ -129,7 +129,7 @@ TEST(PlaneMesh, ShowsTheTexturesFirstRowAtTheTop) {
   }
 }
 
-/// The point of the picture that a ray from outside meets.
+/// The texture coordinates at the point that a ray from outside meets.
 Eigen::Vector2d pictureAt(const Mesh& mesh, const Eigen::Vector3d& from,
                           const Eigen::Vector3d& along) {
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -154,8 +154,8 @@ void expectPicture(const Mesh& mesh, const Eigen::Vector3d& from, const Eigen::V
   EXPECT_NEAR(found.y(), v, 0.01) << from.transpose();
 }
 
-/// Gazebo's MeshManager::CreateBox: on the upper face the picture's right is -y, on the lower one
-/// too, and its upper edge is at +x above and at -x below.
+/// Gazebo's MeshManager::CreateBox: on the top and the bottom face the picture's right is -y; its
+/// upper edge is at +x on the top and at -x on the bottom.
 TEST(BoxMesh, TurnsItsPicturesAsGazebo) {
   const auto mesh = boxMesh({2, 2, 2});
   expectPicture(*mesh, {0.5, 0.6, 5}, {0, 0, -1}, 0.2, 0.25);
@@ -166,7 +166,7 @@ TEST(BoxMesh, TurnsItsPicturesAsGazebo) {
   expectPicture(*mesh, {0.6, -5, 0.5}, {0, 1, 0}, 0.8, 0.25);
 }
 
-/// MeshManager::CreateSphere: around y, from z to x; +y is above.
+/// MeshManager::CreateSphere: the picture runs around y, from z to x, with its upper edge at +y.
 TEST(SphereMesh, HasItsPictureAroundYAsGazebo) {
   const auto mesh = sphereMesh(1.0);
   for (double turn = 0.013; turn < 1.0; turn += 0.083) {
@@ -179,8 +179,8 @@ TEST(SphereMesh, HasItsPictureAroundYAsGazebo) {
   }
 }
 
-/// MeshManager::CreateCylinder: around z, from y to x; the first row is below. On the upper cap a
-/// fan around the first pixel.
+/// MeshManager::CreateCylinder: the picture runs around z, from y to x, with its first row at the
+/// bottom. On the upper cap it is a fan around the first pixel.
 TEST(CylinderMesh, HasItsPictureUpsideDownAroundZAsGazebo) {
   const auto mesh = cylinderMesh(1.0, 4.0);
   for (double turn = 0.013; turn < 1.0; turn += 0.083) {
@@ -191,7 +191,7 @@ TEST(CylinderMesh, HasItsPictureUpsideDownAroundZAsGazebo) {
   }
 }
 
-/// So what is drawn and labelled of them is as before, whatever their pictures.
+/// So they are drawn and labelled as before, whatever their pictures are.
 TEST(RoundMeshes, HaveTheirVerticesWhereTheyWereWithoutPictures) {
   const auto mesh = sphereMesh(1.0);
   const auto round = ellipsoidMesh({1, 1, 1});

@@ -22,7 +22,7 @@ Outline rectangle(double left, double bottom, double right, double top) {
 
 Outline reversed(Outline outline) { return {outline.rbegin(), outline.rend()}; }
 
-/// The area of the triangles; fails where one runs clockwise.
+/// The area of the triangles; fails the test if one runs clockwise.
 double areaOf(const Triangulation& filled) {
   std::vector<Vector2d> points;
   for (const Outline& outline : filled.outlines) {

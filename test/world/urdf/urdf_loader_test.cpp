@@ -315,7 +315,7 @@ TEST_F(UrdfLoader, TakesColoursOfAnStlForNoneWhereTheFileGivesOne) {
   stl += std::string("\1\0\0\0", 4);
   const float numbers[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   stl.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
-  stl += std::string("\0\x80", 2);  // black, with the bit that says that it is a colour
+  stl += std::string("\0\x80", 2);  // black, with the bit that marks a colour
   (void)folder.write("a.stl", stl);
   const Model model =
       load(robot(linkWith("<geometry><mesh filename='a.stl'/></geometry>"

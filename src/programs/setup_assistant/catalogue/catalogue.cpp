@@ -16,7 +16,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// What stands between marks: the cells of a table's line, the words in backquotes of a text.
+/// The parts between marks: the cells of a table's line, or the words in backquotes of a text.
 std::vector<std::string> partsOf(const std::string& text, char mark) {
   std::vector<std::string> parts;
   std::istringstream stream(text);
@@ -28,7 +28,7 @@ std::vector<std::string> partsOf(const std::string& text, char mark) {
   return parts;
 }
 
-/// As links to headings name them: small letters, dashes for spaces.
+/// The name by which links refer to a heading: lower case, with dashes for spaces.
 std::string anchorOf(const std::string& heading) {
   std::string anchor;
   for (const char c : heading) {
@@ -43,8 +43,8 @@ std::string anchorOf(const std::string& heading) {
 
 using Table = std::vector<std::vector<std::string>>;  ///< the cells of each line
 
-/// The tables of each section, by its anchor, with an empty line between two; those before the
-/// first heading by "".
+/// The tables of each section, by its anchor, with an empty line between two tables; those before
+/// the first heading by "".
 std::map<std::string, Table> tablesOf(const std::string& document) {
   std::map<std::string, Table> tables;
   std::istringstream stream(document);
@@ -57,7 +57,7 @@ std::map<std::string, Table> tablesOf(const std::string& document) {
   return tables;
 }
 
-/// The settings in the tables that begin with the word "setting", and what else is declared.
+/// The settings in the tables that begin with the word "setting", and others that are declared.
 Value::List optionsIn(const Table& lines, const std::string& format,
                       std::map<std::string, Value::Map> declared) {
   Value::List options;
@@ -84,7 +84,7 @@ Value::List optionsIn(const Table& lines, const std::string& format,
   return options;
 }
 
-/// What the writers of all formats declare of their settings.
+/// What the writers of all formats declare about their settings.
 std::map<std::string, Value::Map> declaredByWriters() {
   Parameters settings(Value::Map{});
   std::vector<output::WriterOptions> writers;
@@ -97,7 +97,7 @@ std::map<std::string, Value::Map> declaredByWriters() {
   dataset.motions.emplace_back();
   try {
     const output::WriterHost host(writers, dataset);
-  } catch (const std::exception&) {  // some need more than this; they have read their settings
+  } catch (const std::exception&) {  // some need more than this, but have read their settings
   }
   return settings.declarations();
 }
@@ -133,7 +133,7 @@ Value formatList() {
                                 {"text", Value(cells[1])},
                                 {"read_by", Value(cells[2])},
                                 {"options", Value(optionsIn(tables[anchor], name, declared))}});
-      break;  // of `tables`, which may have grown
+      break;  // out of the loop over `tables`, which may have grown
     }
   }
   return Value::Map{{"formats", Value(list)}};

@@ -79,7 +79,7 @@ std::vector<Word> wordsOf(const std::string& text) {
   return words;
 }
 
-/// The setting whose value a text has in it: the name of a file, the longest one.
+/// Finds the setting whose value, the name of a file, occurs in a text; of several, the longest.
 struct NamedFile {
   void findIn(const Value& value, const std::string& text, Value::List& above) {
     if (const auto* name = value.as<std::string>()) {
@@ -103,7 +103,7 @@ struct NamedFile {
     above.pop_back();
   }
 
-  std::size_t longest = 3;  ///< a shorter name may stand anywhere
+  std::size_t longest = 3;  ///< a shorter name may occur by chance
   Value::List path;
 };
 
@@ -142,7 +142,7 @@ class FieldFinder {
     return settings_ != nullptr && settings_->count(name) != 0;
   }
 
-  /// Documented, or in a group that the user has named.
+  /// Whether a setting is documented, or lies in a group that the user has named.
   [[nodiscard]] bool isSetting(const std::string& name) const {
     if (name.empty() || name.front() == '/' || name.find(' ') != std::string::npos) return false;
     const std::string first = name.substr(0, name.find('/'));
@@ -150,7 +150,7 @@ class FieldFinder {
            isGiven(first);
   }
 
-  /// Whether a list of names, or of groups with a name, or a group of names, has it.
+  /// Whether a setting (a list of names, a list of groups with a `name`, or a group) has the name.
   [[nodiscard]] bool isNamed(const std::string& list, const std::string& name) const {
     if (!isGiven(list)) return false;
     const Value& value = settings_->at(list);

@@ -46,7 +46,7 @@ std::optional<std::size_t> lineOf(const std::string& text, const std::string& or
   return line;
 }
 
-/// Whether a line has a setting in a comment that says that it is to be chosen.
+/// Whether a line is a setting that is commented out, with the remark that it is to be chosen.
 bool isGapOf(const std::string& line, const std::string& name) {
   const std::size_t begin = indentOf(line);
   return line.compare(begin, name.size() + 3, "# " + name + ":") == 0 &&
@@ -59,7 +59,7 @@ void removeFromEnd(std::string& line) {
   line.erase(line.find_last_not_of(' ', gap - 1) + 1);
 }
 
-/// Removes the lines with the setting in a comment from the group around a line.
+/// Removes the lines in which the setting is commented out from the group around a line.
 void removeAround(std::vector<std::string>& lines, std::size_t at, const std::string& name) {
   const std::size_t indent = indentOf(lines[at]);
   const auto isOutside = [&](const std::string& line) {
@@ -76,7 +76,7 @@ void removeAround(std::vector<std::string>& lines, std::size_t at, const std::st
   }
 }
 
-/// Whether nothing but comments differs: a text in quotes may look like a remark.
+/// Whether only comments differ: a quoted text may look like a remark.
 bool saysTheSame(const std::string& a, const std::string& b, const std::string& origin) {
   try {
     return base::saysTheSame(base::readYamlText(a, origin), base::readYamlText(b, origin));

@@ -6,9 +6,9 @@
 
 namespace synthetic_dataset::programs {
 
-/// A settings file without the remark that a setting is still to be chosen, as `start` leaves it
-/// ("# TODO: ..."): at the end of the setting's line, or as a line of its group that has the
-/// setting in a comment. Nothing else of the text changes.
+/// Removes from a settings file the remark ("# TODO: ...") by which `start` marks a setting that is
+/// still to be chosen: at the end of the setting's line, or as a line of its group in which the
+/// setting is commented out. Nothing else in the text changes.
 /// @param path  of a setting that has been set
 [[nodiscard]] std::string withoutGap(const std::string& text, const std::string& origin,
                                      const base::YamlPath& path);

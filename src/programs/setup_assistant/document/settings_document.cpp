@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMostSteps = 1000;
 
-/// "settings.yaml: line 3: ..."
+/// From a message such as "settings.yaml: line 3: ..."
 TextFault faultOf(const std::string& message) {
   static const std::regex kLine("line ([0-9]{1,9})");
   std::smatch match;
@@ -97,7 +97,7 @@ bool SettingsDocument::look() {
   const auto before = outside_;
   if (found == written_) {
     outside_.reset();
-  } else if (found == text_) {  // somebody else has come to the same
+  } else if (found == text_) {  // somebody else has written the same text
     written_ = found;
     outside_.reset();
   } else {
@@ -106,7 +106,7 @@ bool SettingsDocument::look() {
   return before != outside_;
 }
 
-void SettingsDocument::takeOutside() {
+void SettingsDocument::acceptExternal() {
   look();
   if (!outside_) return;
   const std::string theirs = *outside_;
@@ -114,10 +114,10 @@ void SettingsDocument::takeOutside() {
   outside_.reset();
   record("");
   show(theirs);
-  write();  // where the file is gone, it is there again
+  write();  // if the file is gone, makes it again
 }
 
-void SettingsDocument::keepOwn() {
+void SettingsDocument::overwriteExternal() {
   look();
   written_ = onDisk();
   outside_.reset();

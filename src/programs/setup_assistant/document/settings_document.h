@@ -10,18 +10,18 @@
 
 namespace synthetic_dataset::programs {
 
-/// Where a text stops being YAML.
+/// The place where a text stops being valid YAML.
 struct TextFault {
   std::string message;
   std::int64_t line = 0;  ///< from 1; 0: not known
 };
 
-/// A settings file as it is edited: its text, which is its whole state, and the earlier ones. Every
-/// change is on the disk, as a whole, before the call returns. What somebody else writes to the
-/// file is noticed by its content, and nothing is written over it before the user has decided.
+/// A settings file that is being edited: its text, which is its whole state, and earlier texts.
+/// Every change is on the disk, as a whole, before the call returns. What somebody else writes to
+/// the file is noticed by its content, and is not overwritten before the user has decided.
 class SettingsDocument {
  public:
-  /// @param file  that is there
+  /// @param file  one that exists
   explicit SettingsDocument(std::string file);
 
   [[nodiscard]] const std::string& file() const { return file_; }
@@ -31,39 +31,39 @@ class SettingsDocument {
   [[nodiscard]] bool canRedo() const { return !future_.empty(); }
   [[nodiscard]] const std::optional<TextFault>& fault() const { return fault_; }
 
-  /// The text that somebody else has put in the file; empty where the file is gone.
+  /// The text that somebody else has put in the file, if any; an empty text if the file is gone.
   [[nodiscard]] const std::optional<std::string>& outside() const { return outside_; }
 
-  /// What the text says, without substitutions and included files; the last time that it was YAML.
-  /// An angle is the text that it is written as: "deg(20)".
+  /// The settings in the last text that was valid YAML, without substitutions and included files.
+  /// An angle such as "deg(20)" stays a text.
   [[nodiscard]] const Value& settings() const { return settings_; }
 
   /// Changes values, all of them or none. Paths may name `yolo/main_list` as `main_list` in `yolo`.
-  /// @param step  changes of one name, not empty, are undone together
+  /// @param step  successive changes with the same name are undone together, unless it is empty
   /// @throws HttpError 409 when the revision is not the current one, or somebody else has changed
-  ///     the file; Error when the text does not take a change
+  ///     the file; Error when the text cannot be edited that way
   void change(std::int64_t revision, const std::vector<base::YamlChange>& changes,
               const std::string& step);
 
-  /// Takes a text that was typed. One that is no YAML is kept, but not written.
+  /// Takes a text that was typed. One that is not valid YAML is kept, but not written.
   void type(std::int64_t revision, const std::string& text, const std::string& step);
 
   void undo();
   void redo();
 
-  /// Looks whether somebody else has changed the file.
-  /// @return whether what outside() says has changed
+  /// Checks whether somebody else has changed the file.
+  /// @return whether the value of outside() has changed
   bool look();
 
-  /// Ends what outside() says: their text is taken, as a change that can be undone, or this one
-  /// written over it.
-  void takeOutside();
-  void keepOwn();
+  /// Resolve outside(): take the other text, as a change that can be undone, or overwrite it with
+  /// this one.
+  void acceptExternal();
+  void overwriteExternal();
 
  private:
   struct Earlier {
     std::string text;
-    std::string step;  ///< that led away from it
+    std::string step;  ///< the step that led away from the text
   };
 
   void requireCurrent(std::int64_t revision);
@@ -76,7 +76,7 @@ class SettingsDocument {
 
   std::string file_;
   std::string text_;
-  std::optional<std::string> written_;  ///< what the file holds, as far as this knows
+  std::optional<std::string> written_;  ///< the file's content, as far as known
   std::optional<std::string> outside_;
   std::optional<TextFault> fault_;
   Value settings_;
@@ -85,8 +85,8 @@ class SettingsDocument {
   std::vector<Earlier> future_;
 };
 
-/// Gives a file a new content, so that it has the old one or the new one at any time, whatever
-/// happens. It keeps its permissions; a symbolic link stays one.
+/// Replaces a file's content, so that it has the old one or the new one at any time, whatever
+/// happens. The file keeps its permissions; a symbolic link stays one.
 /// @throws Error when it cannot be written
 void writeWhole(const std::string& file, const std::string& content);
 

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// The names directly in each group, by the group's name with a slash behind it.
+/// The names directly in each group, by the group's name followed by a slash.
 std::map<std::string, std::vector<std::string>> namesByGroup() {
   std::map<std::string, std::vector<std::string>> names;
   for (const DocumentedSetting& each : documentedSettings()) {
@@ -21,7 +21,7 @@ std::map<std::string, std::vector<std::string>> namesByGroup() {
   return names;
 }
 
-/// How many steps of a path one name of the map stands for; 0: none.
+/// How many steps of a path a name in a map covers; 0 if it does not match.
 std::size_t stepsOfName(const base::YamlPath& path, std::size_t from, const std::string& name) {
   std::string joined;
   for (std::size_t i = from; i < path.size(); ++i) {

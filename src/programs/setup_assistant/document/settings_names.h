@@ -8,24 +8,25 @@
 
 namespace synthetic_dataset::programs {
 
-/// The path under which a file has what the path means: settings may be written with slashes in
-/// their names (yolo/main_list), as ROS has them.
-/// @param tree  of the file
+/// The path under which a file contains the setting of a path: settings may be written with slashes
+/// in their names (yolo/main_list), as in ROS.
+/// @param tree  the file's
 [[nodiscard]] base::YamlPath pathAsWritten(const base::YamlPath& path, const Value& tree);
 
-/// A file's tree without slashes in names; as it is where it is not fit for settings.
-/// @param origin  for messages, which nobody gets here
+/// A file's tree, with names that contain slashes turned into groups; unchanged if it is not valid
+/// as settings.
+/// @param origin  for error messages, which are dropped here
 [[nodiscard]] Value asGroups(const Value& tree, const std::string& origin);
 
-/// A file's tree in which angles are the texts that they are written as: "deg(20)".
-/// @param tree  with numbers for them
-/// @param written  the same text, read without what settings mean by texts
+/// A file's tree in which angles such as "deg(20)" are texts, as they are written.
+/// @param tree  one that has numbers for them
+/// @param written  the same file, read without converting such texts
 [[nodiscard]] Value withAnglesAsWritten(const Value& tree, const Value& written);
 
 /// The names in a group of settings in the order of config/params.yaml.
 [[nodiscard]] std::vector<std::string> documentedOrder(const base::YamlPath& group);
 
-/// A path as requests have it: a list of names and indices.
+/// The path from a request: a list of names and indices.
 /// @throws Error for anything else
 [[nodiscard]] base::YamlPath pathOf(const Value& list);
 

@@ -9,15 +9,15 @@ namespace synthetic_dataset::programs {
 /// The folders of this machine that the page may look into.
 class AllowedFolders {
  public:
-  /// @param file  of the settings: its folder is the first one
-  /// @param more  named by the user; those of ROS packages and of models are added
-  /// @throws Error where one of `more` is not a folder
+  /// @param file  the settings file, whose folder is the first one
+  /// @param more  folders named by the user; those of ROS packages and of models are added
+  /// @throws Error if one of `more` is not a folder
   AllowedFolders(const std::filesystem::path& file, const std::vector<std::string>& more);
 
-  /// The roots, without links.
+  /// The roots, with links resolved.
   [[nodiscard]] const std::vector<std::filesystem::path>& roots() const { return roots_; }
 
-  /// Where the user's files are written.
+  /// The folder below which the page may write files.
   [[nodiscard]] const std::filesystem::path& home() const { return roots_.front(); }
 
   /// A path with links and `..` resolved.
@@ -34,7 +34,7 @@ class AllowedFolders {
   std::vector<std::filesystem::path> roots_;
 };
 
-/// Whether a path is a folder's or one below it; both absolute and without links or `..`.
+/// Whether a path is the folder or lies below it; both are absolute and without links or `..`.
 [[nodiscard]] bool isBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace synthetic_dataset::programs

@@ -46,7 +46,7 @@ Value rootsValue(const AllowedFolders& allowed) {
                     {"files", Value(Value::List{})}};
 }
 
-/// Of a folder of ROS 2.
+/// The size of a ROS 2 bag folder.
 std::int64_t sizeOfBag(const std::string& folder) {
   std::int64_t size = 0;
   try {
@@ -56,7 +56,7 @@ std::int64_t sizeOfBag(const std::string& folder) {
       if (!error) size += static_cast<std::int64_t>(bytes);
     }
   } catch (const Error&) {
-    return 0;  // which will be reported when it is read
+    return 0;  // the error will be reported when the bag is read
   }
   return size;
 }

@@ -9,15 +9,14 @@
 
 namespace synthetic_dataset::programs {
 
-/// What a file may be used for, by its name and how it begins: "bag", "world", "model",
-/// "calibration", "yaml", or "other".
+/// The kind of a file, by its name and its beginning: "bag", "world", "model", "calibration",
+/// "yaml", or "other".
 [[nodiscard]] std::string kindOfFile(const std::filesystem::path& file);
 
 /// The folders and files in a folder, for the page, without hidden ones and those that lead out of
-/// the allowed folders.
+/// the allowed folders. A folder that is a ROS 2 bag is listed as both.
 /// @param folder  empty: the roots
-/// A folder that is a bag of ROS 2 is among both.
-/// @param kinds  of files that are listed; empty: all
+/// @param kinds  of files to list; empty: all
 /// @throws HttpError 403 as AllowedFolders::resolve
 [[nodiscard]] Value listFolder(const AllowedFolders& allowed, const std::string& folder,
                                const std::set<std::string>& kinds);

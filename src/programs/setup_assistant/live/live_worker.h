@@ -15,29 +15,29 @@
 
 namespace synthetic_dataset::programs {
 
-/// The one thread that draws: OpenGL belongs to it. Of requests of a kind that wait, the latest one
-/// wins.
+/// The only thread that draws, since OpenGL is bound to it. Of waiting requests of one kind, only
+/// the latest is carried out.
 class LiveWorker {
  public:
   using Job = std::function<Value(run::LiveRun& live)>;
 
   LiveWorker();
 
-  /// Closes it first.
+  /// Calls close() first.
   ~LiveWorker();
   LiveWorker(const LiveWorker&) = delete;
   LiveWorker& operator=(const LiveWorker&) = delete;
 
-  /// Refuses requests from now on, those that wait, too; what is being set up is broken off.
+  /// Refuses requests from now on, also waiting ones, and interrupts a set-up in progress.
   void close();
 
-  /// Does a job in that thread.
-  /// @param kind  a job of the same kind that waits is refused
-  /// @return what the job returns or throws; HttpError 409 when a later one has taken its turn
+  /// Has a job done in that thread.
+  /// @param kind  a waiting job of the same kind is refused
+  /// @return what the job returns or throws; HttpError 409 when a later one has taken its place
   std::shared_future<Value> ask(const std::string& kind, Job job);
 
-  /// The same, but the answer is that of a job of the same kind that waits, if there is one: for
-  /// kinds whose jobs all do the same.
+  /// Like ask(), but if a job of the same kind is waiting, the answer is that job's: for kinds
+  /// whose jobs all do the same.
   std::shared_future<Value> askOnce(const std::string& kind, Job job);
 
  private:
@@ -48,7 +48,7 @@ class LiveWorker {
     std::shared_future<Value> result;
   };
 
-  /// What becomes of a job of the same kind that waits.
+  /// What happens to a waiting job of the same kind.
   enum class Earlier { kIsRefused, kAnswersBoth };
 
   std::shared_future<Value> put(const std::string& kind, Job job, Earlier earlier);
@@ -59,7 +59,7 @@ class LiveWorker {
   std::condition_variable changed_;
   std::vector<Waiting> waiting_;  ///< in the order in which their kinds were first asked for
   std::atomic<bool> is_over_ = false;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< declared last: it uses the other members
 };
 
 }  // namespace synthetic_dataset::programs

@@ -12,7 +12,7 @@
 
 namespace synthetic_dataset::programs {
 
-/// The last pictures that were drawn, as files, under the addresses that pages fetch them by.
+/// The last pictures that were drawn, as files, under the addresses from which pages fetch them.
 class PictureCache {
  public:
   /// @param picture  8 bit BGR
@@ -20,18 +20,18 @@ class PictureCache {
   /// @return its address
   [[nodiscard]] std::string add(const cv::Mat& picture, const std::string& extension);
 
-  /// A file's bytes by the last part of its address; null when it is not there any more.
+  /// A file's bytes by the last part of its address; null if it is not kept any more.
   [[nodiscard]] std::shared_ptr<const std::string> find(const std::string& name) const;
 
  private:
-  /// Differs from server to server: browsers keep an earlier one's pictures by their addresses.
+  /// Differs from server to server, as browsers cache an earlier server's pictures by address.
   std::string mark_ = std::to_string(std::random_device()());
   mutable std::mutex mutex_;
   std::int64_t next_ = 1;
   std::map<std::int64_t, std::pair<std::string, std::shared_ptr<const std::string>>> pictures_;
 };
 
-/// A picture as a file.
+/// Encodes a picture as the bytes of a file.
 [[nodiscard]] std::string encodedPicture(const cv::Mat& picture, const std::string& extension);
 
 }  // namespace synthetic_dataset::programs

@@ -1,12 +1,12 @@
-// Angles are radians in the settings unless the file says deg(20). They are shown in degrees where it does, and where
-// the user has chosen so; what is then typed is written as deg().
+// Angles in the settings are in radians unless the file says deg(20). They are shown in degrees if it does, or if the
+// user has chosen so; what is then typed is written as deg().
 import {show, view} from './view_state.js';
 
 export const DEGREES = 180 / Math.PI;
 
 const TEXT = /^\s*deg\(\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*\)\s*$/;
 
-// Of a number or a text such as deg(20); undefined for anything else.
+// The radians of a number or of a text such as deg(20); undefined for anything else.
 export function radiansOf(value) {
   if (typeof value === 'number') return value;
   const degrees = TEXT.exec(String(value ?? ''))?.[1];
@@ -23,12 +23,12 @@ export function inDegrees(value) {
   return view.angles === 'deg' || saysDegrees(value);
 }
 
-// The numbers of a value in the unit, as they are shown; what is no plain angle as it is.
+// A value with its angles as numbers in the unit, as they are shown; what is not a plain angle stays as it is.
 export function shownAngles(value, isInDegrees) {
   return mapped(value, (radians) => (isInDegrees ? round(radians * DEGREES, 3) : round(radians, 4)));
 }
 
-// The same value as it is written, of numbers in the unit.
+// The value as it is written to the file, from numbers in the unit.
 export function writtenAngles(value, isInDegrees) {
   return isInDegrees ? mapped(value, (degrees) => inText(degrees)) : value;
 }
@@ -42,7 +42,7 @@ function round(value, digits) {
   return Number(value.toFixed(digits));
 }
 
-// Nothing is nothing in each unit.
+// Zero is zero in each unit.
 function inText(degrees) {
   const rounded = round(degrees, 3);
   return rounded === 0 ? 0 : `deg(${rounded})`;
@@ -51,7 +51,7 @@ function inText(degrees) {
 function mapped(value, change) {
   if (Array.isArray(value)) return value.map((each) => mapped(each, change));
   if (value !== null && typeof value === 'object') {
-    // Of a choice, the weights are no angles.
+    // The weights of a choice are not angles.
     return Object.fromEntries(
         Object.entries(value).map(([key, each]) => [key, key === 'weights' ? each : mapped(each, change)]));
   }

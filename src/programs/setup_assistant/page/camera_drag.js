@@ -1,5 +1,6 @@
-// Moves the camera by hand: drag orbits, with Shift or the right button pans, the wheel zooms; on a touch screen two
-// fingers pan and zoom; keys do the same. Coarse pictures follow the hand; what the settings get is where it lets go.
+// Moves the camera by hand: dragging orbits, dragging with Shift or the right button pans, the wheel zooms; on a touch
+// screen two fingers pan and zoom; keys do the same. Coarse pictures follow the hand; the pose at which it lets go is
+// written to the settings.
 import {cameraPath, formOf, globalPose, orbitOfSettings, poseOfOrbit, wayOf} from './camera_pose.js';
 import {endGlances, forgetGlance, glanceFrom} from './glance.js';
 import {orbited, panned, zoomed} from './pose_math.js';
@@ -16,7 +17,7 @@ const hand = {
   isPanned: false,
   before: null,
   isOver: false,
-  pointers: new Map(),  // where those that are down were last
+  pointers: new Map(),  // the last positions of those that are down
   end: 0
 };
 
@@ -36,7 +37,7 @@ function begin() {
   hand.isMoved = hand.isPanned = false;
 }
 
-// Writes where the camera stands now. Who takes it again meanwhile goes on from there.
+// Writes the camera's pose. If the user takes hold of it again meanwhile, the movement goes on from there.
 async function end() {
   hand.isOver = true;
   if (hand.isMoved) {
@@ -99,7 +100,7 @@ function onpointermove(event) {
   if (others.length) {
     const [, still] = others[0];
     const apart = (point) => Math.max(Math.hypot(point[0] - still[0], point[1] - still[1]), 1);
-    pan(right / 2, down / 2, width);  // by the fingers' middle
+    pan(right / 2, down / 2, width);  // by the movement of the fingers' middle
     zoom(apart(last) / apart(now));
   } else if (event.shiftKey || event.buttons & 6) {
     pan(right, down, width);
@@ -113,7 +114,7 @@ function onpointerup(event) {
   if (!hand.pointers.size) end();
 }
 
-// A turn of the wheel is many events, and one step of undo.
+// A turn of the wheel is many events, but one undo step.
 function endSoon() {
   clearTimeout(hand.end);
   hand.end = setTimeout(() => {

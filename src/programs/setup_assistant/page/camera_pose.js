@@ -10,7 +10,7 @@ export function cameraPath(name = currentCamera()) {
   return effective(['cameras']) === undefined ? ['camera'] : ['cameras', name];
 }
 
-// In docs/cameras.md's order: the first that is given counts.
+// In the order of docs/cameras.md: the first that is given counts.
 export function wayOf(path) {
   const has = (key) => effective([...path, key]) !== undefined;
   if (has('sample')) return 'sample';
@@ -46,7 +46,7 @@ export function shownPose(path) {
   return poseOn(path, wayOf(path) === 'mounted_on' ? String(effective([...path, 'mounted_on'])) : null);
 }
 
-// The same in the global frame, or in that of an object (`carrier`); null where it is not known.
+// The same in the global frame, or in that of an object (`carrier`); null if it is not known.
 export function poseOn(path, carrier = null) {
   const {camera} = scene.value ?? {};
   if (!camera?.pose || (path[0] === 'cameras' && camera.name !== path[1])) return null;
@@ -61,12 +61,12 @@ export function poseOn(path, carrier = null) {
   return {position: inFrame(parent, position), rpy: rpyOfMatrix(turned)};
 }
 
-// In the scene that is shown.
+// An object's pose in the scene that is shown.
 function poseOfObject(name) {
   return scene.value?.labels?.objects?.find((each) => each.name === name)?.pose ?? null;
 }
 
-// As it is written; angles in the unit of the pose that was there before.
+// A pose as it is written; angles are in the unit of the pose that was there before.
 export function roundedPose({position, rpy}, before = undefined) {
   const angles = rpy.map((each) => rounded(each, 4));
   return {
@@ -75,7 +75,7 @@ export function roundedPose({position, rpy}, before = undefined) {
   };
 }
 
-// Around what the camera is dragged: what it looks at, else what is in the picture's middle.
+// The orbit on which the camera is dragged: around what it looks at, else around what is in the picture's middle.
 export function orbitOfSettings(path) {
   const pose = effective([...path, 'pose']);
   const form = formOf(pose);
@@ -103,7 +103,8 @@ function distanceTo(name) {
   return scene.value?.labels?.objects?.find((each) => each.name === name)?.distance;
 }
 
-// An orbit's optical frame in the global frame; null where that of what the camera is on is not known.
+// The pose of an orbit's optical frame in the global frame; null if that of the object that carries the camera is not
+// known.
 export function globalPose(path, orbit) {
   let body = matrixOfRpy(orbit.rpy);
   let position = positionOf(orbit);
@@ -127,13 +128,13 @@ function lengthAhead(path, position, rpy) {
       (labels?.objects ??
        []).filter(({box}) => box && box[0] <= u && u <= box[0] + box[2] && box[1] <= v && v <= box[1] + box[3]);
   if (inMiddle.length) return Math.min(...inMiddle.map((each) => each.distance));
-  // Else the ground, if it looks down on it.
+  // Else to the ground, if the camera looks down on it.
   const ahead = forward(rpy);
   const toGround = wayOf(path) === 'mounted_on' ? Infinity : -position[2] / ahead[2];
   return toGround > 0.2 && toGround < 20 ? toGround : 4;
 }
 
-// `isPanned`: it no longer looks at the object that it looked at.
+// `isPanned`: the camera no longer looks at the object at which it looked.
 export function poseOfOrbit(orbit, before, isPanned = false) {
   const {position, rpy} = roundedPose({position: positionOf(orbit), rpy: orbit.rpy}, before);
   const form = formOf(before);

@@ -20,8 +20,8 @@ function kindOf(value) {
   return 'fixed';
 }
 
-// options: label, range: [low, high] of the sliders where it is not all that may be, start: what it is when turned on,
-// isColour, isAlways: it cannot be off, and is `start` by default.
+// options: label; range: [low, high] of the sliders, if not all that is allowed; start: the value when it is turned on;
+// isColour; isAlways: it cannot be off, and is `start` by default.
 export function distribution(path, given) {
   const options = inShownUnit(path, {range: parameter(path)?.range, ...given});
   const id = idOf(path);
@@ -62,7 +62,8 @@ export function distribution(path, given) {
       problemList(problems));
 }
 
-// With `shown`, of a value in the settings, and `put`, which writes one; range and start as they are shown.
+// Adds `shown`, which converts a value from the settings for display, and `put`, which writes one; range and start are
+// in the unit that is shown.
 function inShownUnit(path, options) {
   if (!isAngle(path, options)) {
     return {...options, shown: (value) => value, put: (value, how) => set(path, value, how)};
@@ -207,7 +208,7 @@ function isColourPair(kind, numbers) {
 function colours(path, kind, list, options) {
   const put = (index, colour, how) => {
     const next = list.map((each, at) => (at === index ? colour : each));
-    // Each channel is between the two.
+    // Each channel is drawn between those of the two.
     options.put(kind === 'fixed' ? next[0] : {uniform: orderedChannels(next)}, how);
   };
   return h(

@@ -1,7 +1,7 @@
 // Shows a section of the documentation over the page.
 import {h, patch} from './dom.js';
 
-// `section`: as links to headings name it; '' for all of it.
+// `section`: its anchor, as in links to it; '' for the whole document.
 export async function showDocument(document_name, section) {
   const dialog = document.getElementById('dialog');
   const show = (content) => patch(dialog, [
@@ -32,7 +32,7 @@ export function sectionOf(text, section) {
   return lines.slice(begin, end < 0 ? lines.length : end).join('\n');
 }
 
-// --- As much of Markdown as the documentation has ---
+// --- The parts of Markdown that the documentation uses ---
 
 function drawn(text, document_name) {
   return blocksOf(text).map((lines) => block(lines, (each) => inline(each, document_name)));

@@ -10,7 +10,7 @@ export function h(tag, props, ...children) {
 }
 
 export function patch(parent, children, namespace = null) {
-  // What has gone goes first: an element that is moved past it would lose the focus.
+  // Removes first what is no longer drawn: an element that is moved past it would lose the focus.
   const keys = new Set(children.map((child) => child?.props?.key));
   const keyed = new Map();
   for (const node of Array.from(parent.childNodes)) {
@@ -69,7 +69,7 @@ function create(child, namespace) {
   return node;
 }
 
-// What is being typed or dragged is not overwritten by what the server last said.
+// Marks what is being typed or dragged, which the server's last answer must not overwrite.
 function watchTyping(node) {
   node.addEventListener('input', () => {
     node.isEdited = true;
@@ -95,7 +95,7 @@ function update(node, child, namespace) {
   }
   node.drawn = child;
   if (!child.props.unmanaged) patch(node, child.children, child.tag === 'svg' ? SVG : namespace);
-  // After the children, as a select has its options only now.
+  // Set after the children, since a select has its options only then.
   if ('value' in child.props && !node.isEdited) {
     const text = String(child.props.value ?? '');
     if (node.value !== text) node.value = text;

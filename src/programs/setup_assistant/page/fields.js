@@ -1,4 +1,4 @@
-// A field is a setting: its name, its control, what the documentation says of it, and what is wrong with it.
+// A field is a setting: its name, its control, what the documentation says about it, and what is wrong with it.
 import {chooseUnit, convertedAngles, DEGREES, inDegrees, shownAngles, writtenAngles} from './angles.js';
 import {showDocument} from './doc_dialog.js';
 import {h} from './dom.js';
@@ -24,7 +24,7 @@ function descriptionOf(path, options) {
   return helpOf(documentedPath(path).join('/')) ?? {text: firstSentence(parameter(path)?.text ?? '')};
 }
 
-// Of config/params.yaml's text, which is written for whoever reads the file.
+// The first sentence of a text from config/params.yaml, which is written for whoever reads that file.
 function firstSentence(text) {
   const plain = text.replace(/^REQUIRED[^.]*\.\s*/, '').replace(/\s*\(docs\/[^)]*\)/g, '');
   return /^(.*?[.;:])(?:\s|$)/.exec(plain)?.[1].replace(/[;:]$/, '.') ?? plain;
@@ -45,7 +45,7 @@ function hint(path, options, id) {
           null);
 }
 
-// `a name` in the documentation is code.
+// Shows `names` in backquotes as code.
 function withCode(text) {
   return text.split('`').map((part, index) => (index % 2 ? h('code', {}, part) : part));
 }
@@ -64,7 +64,7 @@ export function isAngle(path, options) {
   return unitNameOf(path, options) === 'rad';
 }
 
-// Of an angle, a button that changes from radians to degrees, and the value in the file with it.
+// The unit; for an angle, a button that switches between radians and degrees, also for the value in the file.
 export function unitOf(path, options) {
   const unit = unitNameOf(path, options);
   if (!isAngle(path, options)) return unit ? h('span', {class: 'unit'}, ` [${unit}]`) : null;
@@ -173,7 +173,7 @@ export function setFromText(path, text) {
   set(path, text.trim() === '' ? undefined : valueOfText(text));
 }
 
-// What begins like a list or a map is one if it can be read as one.
+// A text that begins like a list or a map is one if it can be read as such.
 function valueOfText(text) {
   if (!/^\s*[[{]/.test(text)) return parseScalar(text);
   try {
@@ -223,7 +223,7 @@ export function rounded(value, digits = 6) {
 
 let drags = 0;
 
-// `scale`: from the setting's unit to the one that is shown.
+// `scale`: the factor from the setting's unit to the one that is shown.
 function slider(path, {range: [low, high], step, label, fallback}, scale, put) {
   const value = effective(path) ?? parameter(path)?.default ?? fallback;
   const shown = scale === 1 ? value : shownAngles(value, true);
@@ -241,7 +241,7 @@ function slider(path, {range: [low, high], step, label, fallback}, scale, put) {
   });
 }
 
-// `choices`: texts, or [value, label] pairs; null: as documented. Few of them are buttons, many a list.
+// `choices`: texts, or [value, label] pairs; null: as documented. Up to four are shown as buttons, more as a list.
 export function choiceField(path, choices, options = {}) {
   const pairs =
       (choices ?? parameter(path)?.choices ?? []).map((each) => (Array.isArray(each) ? each : [each, String(each)]));
@@ -346,7 +346,7 @@ function setFromFlow(path, input) {
   } catch (error) {
     input.setCustomValidity(error.message);
     input.reportValidity();
-    input.isEdited = true;  // what was typed stays, to be mended
+    input.isEdited = true;  // what was typed stays, to be corrected
     return undefined;
   }
 }

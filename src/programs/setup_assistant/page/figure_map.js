@@ -1,4 +1,4 @@
-// The world from above: x to the right, y up; ways of objects, the camera and what it sees, boxes.
+// The world from above: x to the right, y up; paths of objects, the camera and what it sees, boxes.
 import {h} from './dom.js';
 import {colourOf} from './overlay.js';
 import {bodyOfOptical, matrixOfQuaternion} from './pose_math.js';
@@ -43,15 +43,15 @@ export function map({picture, extent, ways = {}, boxes = [], label}) {
         h('span', {class: 'scale'}, `${(x1 - x0).toFixed(1)} \u00d7 ${(y1 - y0).toFixed(1)} m`)));
 }
 
-const LEAST = 4;  // [m] that a map shows
+const LEAST = 4;  // [m], the smallest extent of a map
 const MARGIN = 0.15;
 
 const MUCH_LARGER = 3;
 
-const kept = new Map();  // what maps show, by their labels
+const kept = new Map();  // the areas that maps show, by their labels
 
-// What happens, with a margin; where nothing does, all that the picture shows. What was shown before stays while it
-// still fits, so that the map stands still under a camera that moves.
+// The area in which something happens, with a margin; if nothing does, all of the picture. The area that was shown
+// before stays while it still fits, so that the map stands still while the camera moves.
 function viewOf(label, extent, points, boxes) {
   const happens = [...points, ...boxes.flatMap((each) => [each.low, each.high])];
   if (!happens.length && extent) return extent;

@@ -24,7 +24,7 @@ export function timeline(recording) {
         rows.map(({frame, depth}) => row(frame, depth, duration, now, used.has(frame.name)))));
 }
 
-// Children below their parents.
+// The frames in rows, with children below their parents.
 function inOrder(frames) {
   const names = new Set(frames.map((each) => each.name));
   const below = new Map();

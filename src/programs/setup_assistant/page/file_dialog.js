@@ -1,12 +1,12 @@
-// Chooses a file of those that the server may read.
+// The dialog that chooses one of the files that the server may read.
 import {get} from './api.js';
 import {h, patch} from './dom.js';
 import {bytes} from './numbers.js';
 
 const lastFolders = new Map();  // by kind
-let asked = 0;                  // how often a folder was asked for: an answer to an earlier question is not shown
+let asked = 0;                  // counts the requests for folders: the answer to an earlier one is not shown
 
-// The file's path, or null. It begins at the folder of `current`, if that is a whole path.
+// Returns the file's path, or null. Begins in the folder of `current`, if that is an absolute path.
 export function browse(kind, what, current) {
   const dialog = document.getElementById('dialog');
   return new Promise((resolve) => {

@@ -1,4 +1,4 @@
-// Values in one line, as YAML's flow style has them: 0.5, robot, [1, 2], {uniform: [0, 1]}.
+// Values in one line, in YAML's flow style: 0.5, robot, [1, 2], {uniform: [0, 1]}.
 
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
 const PLAIN = /^[A-Za-z_/.~$][^,:#[\]{}&*!|>'"%@`\n]*$/;
@@ -11,7 +11,7 @@ export function parseFlow(text) {
   return value;
 }
 
-// Text that is not a list, map or number is itself.
+// A number, true or false, or else the text itself, without quotes.
 export function parseScalar(text) {
   const trimmed = text.trim();
   if (NUMBER.test(trimmed)) return Number(trimmed);
@@ -97,7 +97,7 @@ class FlowParser {
       return text;
     }
     let stop = this.at;
-    // deg(20) and $(find x) keep their parentheses whole.
+    // deg(20) and $(find x) are not cut within their parentheses.
     for (let depth = 0; stop < this.text.length; ++stop) {
       if (this.text[stop] === '(') ++depth;
       if (this.text[stop] === ')') --depth;

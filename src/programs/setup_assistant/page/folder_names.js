@@ -3,7 +3,7 @@
 const BEGINNING = /^\$\((?:find|dirname|env|optenv)[^)]*\)/;
 
 // [folder, "$(find package)"] pairs, longest folder first.
-// `written`: settings as the file has them; `meant`: the same with substitutions filled in.
+// `written`: settings as they are in the file; `meant`: the same with substitutions filled in.
 export function foldersAsWritten(written, meant) {
   const found = new Map();
   collect(written, meant, found);

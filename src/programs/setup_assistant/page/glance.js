@@ -1,11 +1,11 @@
-// Coarse pictures while the camera is moved by hand. One request at a time: where the camera is when it is answered is
-// asked for next, so that the picture follows the hand as fast as the server draws.
+// Coarse pictures while the camera is moved by hand. There is one request at a time: after each answer, a picture from
+// the camera's current pose is requested, so that the picture follows the hand as fast as the server draws.
 import {getPicture} from './api.js';
 import {changed} from './store.js';
 import {currentCamera, currentInstant} from './view_state.js';
 
 export const glance = {
-  bitmap: null,  // from where the camera is held; null while it stands
+  bitmap: null,  // from where the camera is being held; null while it stands
   count: 0
 };
 
@@ -28,13 +28,13 @@ export async function glanceFrom(pose) {
       const bitmap = await createImageBitmap(await getPicture('api/glance', query));
       if (hand.isMoving) take(bitmap);
     } catch {
-      // The whole picture, once the camera stands, says what is wrong.
+      // The request for the full picture, once the camera stands, shows what is wrong.
     }
   }
   hand.isAsking = false;
 }
 
-// The camera stands. The last glance stays until the whole picture is there: forgetGlance().
+// To be called when the camera stands. The last glance stays until the full picture is there: forgetGlance().
 export function endGlances() {
   Object.assign(hand, {isMoving: false, pose: null});
 }

@@ -1,4 +1,4 @@
-// What an empty settings file greets with: files are chosen, and all that `start` knows of them is filled in.
+// Shown for an empty settings file: the user chooses files, and all that `start` can tell from them is filled in.
 import {post} from './api.js';
 import {h} from './dom.js';
 import {browse} from './file_dialog.js';

@@ -1,7 +1,7 @@
-// What settings are for, in a sentence or two for whoever fills in the page, and where the documentation has more.
-// config/params.yaml says it in full.
+// The purpose of settings, in a sentence or two for whoever fills in the page, and where the documentation has more.
+// config/params.yaml has the full descriptions.
 
-// By the path that config/params.yaml has: [text, section of the documentation].
+// By the path in config/params.yaml: [text, section of the documentation].
 const HELP = {
   'motion': ['Objects go where a recording has them, or somewhere else at random in each scene.', 'placement'],
   'bag_file': ['A bag of ROS 1 or ROS 2 with TF. Several count as one recording.', 'recordings#bags-of-ros-2'],
@@ -132,7 +132,7 @@ const HELP = {
   'sync': ['A power cut costs what was not yet on the disk.', 'reliability#what-is-promised'],
 };
 
-// {text, document, section}; undefined where the page has nothing of its own to say.
+// {text, document, section}; undefined if the page has no text of its own.
 export function helpOf(path) {
   const known = HELP[path];
   if (!known) return undefined;

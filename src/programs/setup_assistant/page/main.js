@@ -99,7 +99,7 @@ function drawNav() {
   patch(nav, [h('ul', {}, panes.map((pane) => h('li', {key: pane.id}, navLink(pane))))]);
   if (stepInView === view.pane) return;
   stepInView = view.pane;
-  // Only the steps move: on a telephone, the page itself may stand anywhere.
+  // Scrolls only the steps: on a telephone, the page itself may be scrolled anywhere.
   const step = nav.querySelector('[aria-current]');
   nav.scrollLeft = step.offsetLeft - (nav.clientWidth - step.offsetWidth) / 2;
 }
@@ -176,7 +176,7 @@ function goTo(id) {
 
 function onKey(event) {
   if (!(event.ctrlKey || event.metaKey) || event.altKey || !'zy'.includes(event.key.toLowerCase())) return;
-  // A field in which something is typed has an undo of its own.
+  // A field in which something is being typed has an undo of its own.
   if (document.activeElement?.isEdited) return;
   event.preventDefault();
   const edited = document.activeElement;

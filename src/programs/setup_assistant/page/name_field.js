@@ -1,7 +1,8 @@
-// The field of a name that the settings themselves have: of an object, of a camera.
+// The field for a name that is chosen within the settings: of an object, of a camera.
 import {h} from './dom.js';
 
-// A name that others refer to. `why` it stays, or null; `whyNot(wanted)` a name cannot be had, or null.
+// A name to which other settings refer. `why`: the reason why it stays, or null; `whyNot(wanted)`: the reason why a
+// name is not possible, or null.
 export function renaming(id, name, {why = null, whyNot, rename}) {
   const onchange = ({target}) => {
     const wanted = target.value.trim();
@@ -9,7 +10,7 @@ export function renaming(id, name, {why = null, whyNot, rename}) {
     target.setCustomValidity(problem ?? '');
     if (problem) {
       target.reportValidity();
-      target.isEdited = true;  // what was typed stays, to be mended
+      target.isEdited = true;  // what was typed stays, to be corrected
     } else if (wanted !== name) {
       rename(wanted);
     }

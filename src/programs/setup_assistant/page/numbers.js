@@ -1,4 +1,4 @@
-// Numbers as people read them.
+// Numbers in the form in which people read them.
 
 export function bytes(count) {
   if (count === undefined || count === null) return '';

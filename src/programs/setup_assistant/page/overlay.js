@@ -1,7 +1,7 @@
 // Labels over the picture, in its pixels: the centre of the first pixel is (0, 0).
 import {h} from './dom.js';
 
-// Corner i of a cuboid has the high x where i & 4, the high y where i & 2, the high z where i & 1.
+// Corner i of a cuboid has the high x if i & 4, the high y if i & 2, the high z if i & 1.
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7].flatMap(
     (from) => [1, 2, 4].filter((bit) => !(from & bit)).map((bit) => [from, from | bit]));
 

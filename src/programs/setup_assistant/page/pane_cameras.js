@@ -72,7 +72,7 @@ function tabs() {
                          null);
 }
 
-// The first camera of several is what was the only one before.
+// The first of several cameras is the one that was the only one before.
 function addCamera() {
   const name = freeName('camera', cameraNames());
   if (effective(['cameras']) !== undefined) {
@@ -163,7 +163,7 @@ function changeWay(path, wanted) {
   const changes = ['sample', 'mounted_on', 'pose']
                       .filter((each) => each !== wanted && effective([...path, each]) !== undefined)
                       .map((each) => [[...path, each], undefined]);
-  if (wanted === 'pose') {  // the view that is shown stays
+  if (wanted === 'pose') {  // keeps the view that is shown
     const here = poseOn(path);
     changes.push(
         [[...path, 'pose'], here ? roundedPose(here) : {position: [-3, 0, 2], look_at: objectNames()[0] ?? [0, 0, 0]}]);

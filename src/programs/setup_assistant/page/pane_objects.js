@@ -91,7 +91,7 @@ function nameForm() {
       h('button', {type: 'submit', class: 'primary'}, 'Add'));
 }
 
-// `frame`: the whole name of a TF frame; `stands`: where the world has its model of this name.
+// `frame`: the whole name of a TF frame; `stands`: it stands where the world has its model of this name.
 function addObject({name, frame, stands}) {
   const changes = [[['robot_list'], [...objectNames(), name]]];
   const settings = {class: name.replace(/[_-]?\d+$/, ''), id: name};

@@ -40,7 +40,7 @@ function list(severity, problems) {
       h('ul', {class: 'problems all'}, inGroups(problems).map((group) => entry(severity, group))));
 }
 
-// What is wrong with one setting leads there wherever it is clicked.
+// An entry about a single setting leads to it wherever the entry is clicked.
 function entry(severity, group) {
   const [first] = group;
   const address = group.length === 1 ? addressOf(first) : null;
@@ -62,7 +62,7 @@ function addressOf({path}) {
   return pane ? `#${pane.id}:${encodeURIComponent(keyOf(path))}` : null;
 }
 
-// panes.js imports this file, so it says who has a setting.
+// Finds the pane of a setting. Set by panes.js, which this file cannot import, since panes.js imports this file.
 let paneWith = () => null;
 
 export function findPanesBy(find) {

@@ -70,7 +70,7 @@ function drawsText(draws = {}) {
   return Object.entries(draws).map(([name, value]) => `${name}: ${value}`).join('\n');
 }
 
-// A switch for what is not a setting that is true or false.
+// A switch for something other than a setting that is true or false.
 function switchFor(path, label, isOn, change, hint) {
   return h(
       'div', {class: 'field', key: path.join('/'), 'data-path': path.join('/')},
@@ -85,7 +85,7 @@ function switchFor(path, label, isOn, change, hint) {
       hint ? h('p', {class: 'hint'}, hint) : null);
 }
 
-// Settings have the preset themselves, or include config/randomize_default.yaml.
+// Settings name the preset themselves, or include config/randomize_default.yaml.
 function usePreset(isOn) {
   set(root('preset'), isOn ? 'transfer' : undefined);
   const includes = [].concat(own(['include']) ?? []);
@@ -102,7 +102,7 @@ function preset() {
           'Settings here override it.');
 }
 
-// Entries of groups by name: every light, or one alone.
+// Entries of a group by name: for every light, or for a single one.
 function named(group, names, draw) {
   return h('div', {}, names.map((name, index) => {
     const path = root(group, name);

@@ -39,7 +39,7 @@ function draw() {
     askAgain('api/result');
   }
   const {value: read, error} = answer('api/result', {page: result.page, ...result.filter});
-  // While another choice is read, the one before stays, so that the page does not jump.
+  // While another selection is being read, the one before stays, so that the page does not jump.
   const value = read ?? (error ? null : result.shown);
   result.shown = value;
   if (!value) return h('p', {class: 'empty'}, error ?? 'Reading the dataset\u2026');
@@ -80,7 +80,7 @@ function sum(counts) {
 
 // --- Which scenes ---
 
-// As COCO has them: below 32 x 32 visible pixels, from 96 x 96 on.
+// As in COCO: small is below 32 x 32 visible pixels, large from 96 x 96 on.
 const SIZES = {
   small: 'small',
   medium: 'medium',
@@ -100,7 +100,7 @@ function filterBy(filter) {
   choose({page: 0, enlarged: null, filter: {class: ANY, split: ANY, size: ANY, occlusion: ANY, ...filter}});
 }
 
-// What labels they have: scenes with such a label are shown.
+// Filters by what labels scenes have: those with such a label are shown.
 function filters({classes, splits}) {
   const names = (counts) => Object.fromEntries(Object.keys(counts).map((each) => [each, each]));
   return h(
@@ -152,7 +152,7 @@ function tile(scene, folder) {
 
 const TILE = 480;  // [px]
 
-// In its own pixels, with those beside it.
+// A scene in its own resolution, with buttons for the ones before and after it.
 function large(scene, scenes) {
   const at = scenes.indexOf(scene);
   const go = (step) => choose({enlarged: scenes[at + step].index});

@@ -17,7 +17,7 @@ export const runPane = {
   draw,
 };
 
-// How many scenes are done and how many there will be. Until the run says so, as many as it was planned with.
+// How many scenes are done and how many there will be. Until the run tells, the numbers are those of the set-up.
 function counts() {
   const {run, setup} = store;
   if (run.scenes) return {done: run.scenes_done ?? 0, all: run.scenes};
@@ -29,7 +29,7 @@ function percent() {
   return all ? Math.floor(100 * done / all) : 0;
 }
 
-// The folder whose dataset the user was asked about: may it be removed?
+// The folder for which the user is being asked whether its dataset may be removed.
 const asking = {
   folder: null
 };
@@ -39,11 +39,11 @@ function ask(folder) {
   changed();
 }
 
-// The log follows its end, unless the user looks further up.
+// The log stays scrolled to its end, unless the user looks further up.
 let followsEnd = true;
 let lastTop = 0;
 
-// Lines that come between a scroll and its event are none that the user has left behind.
+// Lines that arrive between a scroll and its event do not mean that the user has scrolled up.
 function noteEnd({target: log}) {
   const isAtEnd = log.scrollTop + log.clientHeight >= log.scrollHeight - 4;
   followsEnd = isAtEnd || (followsEnd && log.scrollTop >= lastTop);
@@ -113,7 +113,7 @@ function button(text, onclick, props = {}) {
   return h('button', {type: 'button', class: 'primary', onclick, ...props}, text);
 }
 
-// About the dataset that the set-up knows, as `earlier` is.
+// The folder of the dataset that the set-up knows and to which `earlier` refers.
 function folder() {
   return store.setup.figures?.output_folder ?? '';
 }
@@ -149,7 +149,7 @@ function planned(setup) {
   return `${grouped(scenes)} scenes${Number.isFinite(seconds) ? `, about ${duration(seconds)}` : ''}`;
 }
 
-// To what is there of a dataset that is not complete; to a complete one, the buttons above lead.
+// A link to a dataset that is not complete yet; the buttons above lead to a complete one.
 function resultLink() {
   return counts().done && !store.setup.earlier?.complete ?
       h('p', {}, h('a', {href: '#result'}, 'Open the result so far')) :

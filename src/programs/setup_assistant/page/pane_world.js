@@ -84,7 +84,7 @@ function contents() {
                       h('td', {}, labelOf(each.name))))))));
 }
 
-// What the model is labelled as, or how to label it: an entry of world_objects.
+// The class with which a model is labelled, or a button to label it: an entry of world_objects.
 function labelOf(model) {
   if (objectNames().includes(model)) return h('span', {class: 'muted'}, 'an object');
   const entry = entries().find((each) => isMeant(model, each));
@@ -106,7 +106,7 @@ function entries() {
   return Array.isArray(list) ? list : [];
 }
 
-// `*` and `?` stand for any text and any character.
+// `*` and `?` match any text and any single character.
 function isMeant(model, entry) {
   return [].concat(entry?.models ?? []).some((pattern) => {
     const escaped = String(pattern).replace(/[.+^${}()|[\]\\]/g, '\\$&').replace(/\*/g, '.*').replace(/\?/g, '.');

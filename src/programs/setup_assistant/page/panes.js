@@ -1,4 +1,4 @@
-// The panes, in the order of the work, and which of them has a setting.
+// The panes, in the order of the work, and which of them shows a setting.
 import {camerasPane} from './pane_cameras.js';
 import {formatsPane} from './pane_formats.js';
 import {objectsPane} from './pane_objects.js';
@@ -30,7 +30,7 @@ function paneOf(path) {
 
 findPanesBy(paneOf);
 
-// The field of a setting, or that of the nearest group around it.
+// Focuses the field of a setting, or that of the nearest group around it.
 export function focusField(key) {
   const path = key.split('/');
   for (let length = path.length; length > 0; --length) {

@@ -5,7 +5,7 @@ import {fileField} from './file_fields.js';
 import {count} from './numbers.js';
 import {answer, change, effective, set} from './store.js';
 
-// Objects that are placed at random: settings of the step Recording, where there is none.
+// Settings of objects that are placed at random, which the step Recording shows if there is no recording.
 export const PLACEMENT_PATHS = [['motion'], ['placement'], ['scenes']];
 
 export function isPlaced() {
@@ -24,7 +24,7 @@ const NAMES = {
   drop: 'dropped'
 };
 
-// With what placement cannot do without, where the file does not say it.
+// Adds the settings that placement cannot do without, if the file lacks them.
 export function chooseMotion(motion) {
   const changes = [[['motion'], motion]];
   if (motion === 'placement' && effective(['scenes']) === undefined) changes.push([['scenes'], 100]);

@@ -24,7 +24,7 @@ function stateOf(name) {
   return portraits.get(name);
 }
 
-// What the server last said of an object's model.
+// What the server last said about an object's model.
 export function modelOf(name) {
   return stateOf(name).value;
 }
@@ -103,7 +103,7 @@ function drag(event, name, state) {
   if (!state.last) return;
   const [right, down] = [event.clientX - state.last[0], event.clientY - state.last[1]];
   state.moved += Math.hypot(right, down);
-  // A hand that clicks is not quite still.
+  // A clicking hand is not quite still.
   if (state.moved < 4) return;
   state.last = [event.clientX, event.clientY];
   turn(state, right * 0.01, down * 0.01);

@@ -1,4 +1,4 @@
-// How cameras are turned. A body looks along its x, z is up, as in SDF and URDF: rpy are about the fixed axes
+// Orientations of cameras. A body looks along its x, z is up, as in SDF and URDF: rpy are about the fixed axes
 // x, y and z in this order. The optical frame has x right, y down, z ahead. Matrices are lists of rows.
 
 export function matrixOfRpy([roll, pitch, yaw]) {
@@ -19,7 +19,7 @@ export function matrixOfRpy([roll, pitch, yaw]) {
 
 export function rpyOfMatrix(m) {
   const pitch = Math.atan2(-m[2][0], Math.hypot(m[0][0], m[1][0]));
-  // Straight up or down, roll and yaw turn about the same axis: all of it is called yaw.
+  // When it looks straight up or down, roll and yaw turn about the same axis: all of it is counted as yaw.
   if (Math.abs(Math.cos(pitch)) < 1e-6) return [0, pitch, Math.atan2(-m[0][1], m[1][1])];
   return [Math.atan2(m[2][1], m[2][2]), pitch, Math.atan2(m[1][0], m[0][0])];
 }
@@ -39,7 +39,7 @@ export function quaternionOfMatrix(m) {
     [m[0][2] + m[2][0], m[1][2] + m[2][1], 1 - m[0][0] - m[1][1] + m[2][2], m[1][0] - m[0][1]],
     [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1], 1 + m[0][0] + m[1][1] + m[2][2]],
   ];
-  // The row with the largest diagonal divides by no small number.
+  // The row with the largest diagonal element avoids division by a small number.
   const best = [0, 1, 2, 3].reduce((a, b) => (candidates[b][b] > candidates[a][a] ? b : a));
   const length = Math.hypot(...candidates[best]);
   return candidates[best].map((each) => each / length);
@@ -80,7 +80,7 @@ export function inFrame(pose, point) {
   return times(transposed(matrixOfQuaternion(pose.slice(3))), add(point, pose.slice(0, 3), -1));
 }
 
-// Where a camera at `position` looks, as an orbit around a point `length` ahead of it.
+// The view of a camera at `position`, as an orbit around a point `length` ahead of it.
 export function orbitOf(position, rpy, length) {
   return {centre: add(position, forward(rpy), length), rpy, length};
 }
@@ -109,8 +109,8 @@ export function panned({centre, rpy, length}, right, down) {
 
 const NEAREST = 0.3;  // [m] to the centre
 
-// Moves along the view by a share of the distance to the centre. Near it, the centre goes ahead, so that each step
-// moves; `isHeld`: it stays, and the camera with it.
+// Moves along the view by a share of the distance to the centre. Near the centre, the centre is moved ahead, so that
+// each step moves the camera; `isHeld`: the centre stays, and with it the camera.
 export function zoomed({centre, rpy, length}, factor, isHeld = false) {
   if (isHeld) return {centre, rpy, length: Math.max(NEAREST, length * factor)};
   const left = length - Math.max(length, NEAREST) * (1 - factor);

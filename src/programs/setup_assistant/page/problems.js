@@ -1,4 +1,4 @@
-// Where a problem of the settings is shown.
+// The problems of the settings, and those to show at each setting.
 import {foldersAsWritten, withFoldersAsWritten} from './folder_names.js';
 import {keyOf, startsWith} from './paths.js';
 import {isEmpty, store} from './store.js';
@@ -11,7 +11,7 @@ const shown = {
   problems: []
 };
 
-// The worst first, each once, with folders as the file names them.
+// All problems, the worst first, each once, with folders as the file names them.
 export function allProblems() {
   if (isEmpty()) return [];
   const {setup, state} = store;
@@ -29,7 +29,7 @@ export function allProblems() {
   return problems;
 }
 
-// Those that say the same of several settings, together.
+// Groups the problems that say the same about several settings.
 export function inGroups(problems) {
   const groups = new Map();
   for (const each of problems) {

@@ -1,7 +1,7 @@
-// What the recording says of objects.
+// What the recording says about objects.
 import {answer, effective, frameOf, objectNames} from './store.js';
 
-// Undefined with placement, and until it is read.
+// Undefined with placement, and until the recording is read.
 export function recording() {
   return effective(['motion']) === 'placement' ? undefined : answer('api/recording').value;
 }
@@ -10,7 +10,7 @@ export function frames() {
   return (recording()?.frames ?? []).map((each) => each.name);
 }
 
-// By the objects' names; of a recording whose objects are not chosen yet, of what looks like robots.
+// The paths of objects, by name; if no object with a path is chosen yet, those of what looks like robots.
 export function waysOfObjects() {
   const {robots = []} = recording() ?? {};
   const named = objectNames().map((name) => [name, wayOf(frameOf(name))]).filter(([, way]) => way);
@@ -18,7 +18,7 @@ export function waysOfObjects() {
   return Object.fromEntries(robots.map(({name, frame}) => [name, wayOf(frame)]).filter(([, way]) => way));
 }
 
-// A frame that is fixed to another one, as a base_link to a base_footprint, goes the other's way.
+// A frame that is fixed to another one, as a base_link to a base_footprint, has the other's path.
 function wayOf(frame) {
   const {ways = {}, frames: all = []} = recording() ?? {};
   const known = new Map(all.map((each) => [each.name, each]));
@@ -29,7 +29,7 @@ function wayOf(frame) {
   return undefined;
 }
 
-// What looks like a robot and is not an object yet.
+// Frames that look like a robot and are not an object yet.
 export function candidates() {
   const {robots = [], frames: all = []} = recording() ?? {};
   const names = objectNames();

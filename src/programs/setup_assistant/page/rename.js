@@ -1,11 +1,11 @@
-// Gives an object or a camera another name, wherever the settings name it. What it follows and looks like stays.
+// Renames an object or a camera, wherever the settings name it. The frames that it follows and its looks stay.
 import {keyOf} from './paths.js';
 import {answer, change, effective, frameOf, objectNames, own, report, setText, store} from './store.js';
 import {lineOf} from './yaml_lines.js';
 
 let count = 0;
 
-// Why it keeps its name; null if it may have another.
+// The reason why an object has to keep its name; null if it can be renamed.
 export function whyNamed(name) {
   const models = answer('api/world').value?.models ?? [];
   const isOfWorld = effective([name, 'pose']) === 'world' ||
@@ -33,13 +33,13 @@ export function rename(name, wanted) {
   return renameGroup([name], wanted, changesFor(name, wanted));
 }
 
-// One of several: it keeps its place among them, which is the order of the scenes.
+// Renames one of several cameras: it keeps its place among them, which gives the order of the scenes.
 export function renameCamera(name, wanted) {
   return renameGroup(['cameras', name], wanted, []);
 }
 
-// In the text, the group keeps its comments and what else refers to it. What a line does not begin with is written
-// anew.
+// A group whose name begins a line is renamed in the text, where it keeps its comments and what else refers to it.
+// Other groups are written anew.
 async function renameGroup(path, wanted, more) {
   const step = `rename-${++count}`;
   const text = withNewKey(store.state.text, path, wanted);
@@ -72,7 +72,7 @@ function changesFor(name, wanted) {
   ];
 }
 
-// Frames that were named by the object's name.
+// Changes that keep the frames whose names came from the object's name.
 function followed(name, wanted) {
   const isPlaced = effective(['motion']) === 'placement' || effective([name, 'pose']) !== undefined;
   if (isPlaced) return [];
@@ -88,7 +88,7 @@ function followed(name, wanted) {
 
 const NAMING = ['look_at', 'mounted_on'];
 
-// Cameras on it or that look at it, and what is random about it.
+// Changes to cameras that are on the object or look at it, and to what is random about it.
 function references(value, path, name, wanted) {
   if (value === null || typeof value !== 'object') {
     return value === name && NAMING.includes(path.at(-1)) ? [[path, wanted]] : [];

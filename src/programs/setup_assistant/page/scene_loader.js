@@ -1,5 +1,5 @@
-// The scene under the time slider. One request at a time: what is wanted when it is answered is asked for next, so
-// that dragging shows as many pictures as the server can draw, and the last one always.
+// The scene under the time slider. There is one request at a time: after each answer, what is wanted by then is
+// requested, so that dragging shows as many pictures as the server can draw, and always the last one.
 import {get} from './api.js';
 import {forgetGlance} from './glance.js';
 import {changed, store, watch} from './store.js';
@@ -13,7 +13,7 @@ export const scene = {
   count: 0
 };
 
-// Pages do not take one another's turn.
+// Identifies this page to the server, so that pages do not displace each other's requests.
 const page = Math.random().toString(36).slice(2);
 
 let asked = null;
@@ -48,7 +48,7 @@ async function load() {
   } catch (error) {
     scene.error = error.message;
   }
-  // A newer server has settings of its own; its first answers make another key.
+  // A restarted server has settings of its own; its first answers make another key.
   shown = key;
   asked = null;
   scene.isLoading = wanted() !== shown;
@@ -56,7 +56,7 @@ async function load() {
   load();
 }
 
-// As when the server was away.
+// Loads the scene even if it is shown already, as after the server was away.
 export function loadAgain() {
   shown = null;
   load();

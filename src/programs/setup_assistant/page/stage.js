@@ -43,7 +43,7 @@ function picture() {
       hint ? h('p', {class: 'drag-hint', 'aria-hidden': 'true'}, hint) : null);
 }
 
-// Of settings that have changed since.
+// Whether a picture belongs to settings that have changed since.
 function isOld(value) {
   return Boolean(value) && value.revision < store.state?.revision;
 }

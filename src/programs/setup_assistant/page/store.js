@@ -1,15 +1,15 @@
-// What the server has said, and how the page changes it. Everything that is drawn follows from here.
+// What the server has said, and how the page changes the settings. Everything that is drawn follows from this.
 import {get, listen, post} from './api.js';
 import {isEqual, valueAt} from './paths.js';
 
 export const store = {
-  state: null,        // of /api/state
+  state: null,        // the last answer of /api/state
   merged: undefined,  // its settings over those of included files
-  setup: null,        // of /api/setup
+  setup: null,        // the last answer of /api/setup
   run: {state: 'idle'},
   parameters: new Map(),
   connection: 'connecting',
-  notice: null,  // {text, action, label}: what the server refused last
+  notice: null,  // {text}: what the server refused last
 };
 
 const watchers = [];
@@ -66,14 +66,14 @@ export function takeStateOf(state) {
   takeState(state);
 }
 
-// Whether nothing has been chosen yet: what is missing then is no error of anybody's.
+// Whether nothing has been chosen yet: what is missing then is nobody's error.
 export function isEmpty() {
   const {state} = store;
   return Boolean(state) && !state.error && !Object.keys(state.settings ?? {}).length && !state.effective?.include &&
       !Object.keys(state.effective ?? {}).length;
 }
 
-// Whether what the server has said is of other settings than those that are shown, or not all of it yet.
+// Whether what the server has said about the set-up belongs to earlier settings than those shown, or is not complete.
 export function isStale() {
   const {setup, state} = store;
   if (!setup || setup.revision < state?.revision) return true;
@@ -168,7 +168,7 @@ export function own(path) {
   return valueAt(store.state?.settings, path);
 }
 
-// With what included files say. What this file has is shown as it is written there, $(find ...) and all.
+// A value from this file or from included ones. One from this file is shown as it is written there, with $(find ...).
 export function effective(path) {
   return valueAt(store.merged, path);
 }
@@ -202,7 +202,7 @@ export function frameOf(name) {
   return effective([name, 'frame']) ?? `${name}/${effective([name, 'frame_id']) ?? 'base_link'}`;
 }
 
-// What config/params.yaml says of a setting. Objects, cameras and lights share the text of their kind.
+// What config/params.yaml says about a setting. Objects, cameras and lights share the text of their kind.
 export function parameter(path) {
   return store.parameters.get(documentedPath(path).join('/'));
 }
@@ -224,8 +224,8 @@ export function documentedPath(path) {
 
 const answers = new Map();
 
-// Browsers have six connections to a server. The pictures and what is clicked need some, so few wait for answers
-// that take long.
+// Browsers open at most six connections to a server. Pictures and clicks need some of them, so only a few requests may
+// wait for answers that take long.
 const MOST_WAITING = 2;
 const waiting = {
   count: 0,

@@ -1,4 +1,4 @@
-// What this page shows, which is of no file: the pane, the instant, the camera, the labels.
+// What this page shows, which is not part of any file: the pane, the instant, the camera, the labels.
 import {recording} from './recording.js';
 import {changed, store} from './store.js';
 
@@ -9,7 +9,7 @@ export const view = {
   object: null,
   shown: {boxes: true, masks: false, keypoints: true, cuboids: false, names: true},
   layer: 'picture',  // or depth, instances
-  angles: 'rad',     // or deg: in which what says neither is shown
+  angles: 'rad',     // or deg: the unit in which angles without deg() are shown
   isYamlOpen: true,
 };
 
@@ -35,7 +35,7 @@ export function currentInstant() {
   return Math.max(0, Math.min(view.instant, instantCount() - 1));
 }
 
-// Since the recording's start; undefined with placement, and until it is known.
+// The time of an instant since the recording's start; undefined with placement, and until it is known.
 export function secondsOf(instant) {
   const start = recording()?.start;
   const stamp = store.setup?.stamps?.[instant];

@@ -124,7 +124,7 @@ export function goToLine(line) {
 function oninput(event) {
   if (editor.typed === null) editor.base = store.state.revision;
   editor.typed = event.target.value;
-  event.target.isEdited = false;  // this field keeps its own account of that
+  event.target.isEdited = false;  // this field tracks by itself what is being typed
   event.target.rows = lineCount(editor.typed);
   clearTimeout(editor.timer);
   editor.timer = setTimeout(send, PAUSE);
@@ -137,7 +137,7 @@ function onblur() {
   if (editor.typed !== null && !editor.conflict) send();
 }
 
-// Tab leaves the field, as everywhere; two spaces are what YAML is indented by.
+// Enter keeps the indentation. Tab leaves the field, as everywhere.
 function onkeydown(event) {
   if (event.key !== 'Enter' || event.isComposing || event.ctrlKey) return;
   const {value, selectionStart, selectionEnd} = event.target;

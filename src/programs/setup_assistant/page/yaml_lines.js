@@ -2,7 +2,7 @@
 
 const ENTRY = /^( *)(?:"([^"]*)"|'([^']*)'|([^\s#:'"[{][^#:]*?)) *:(?:\s|$)/;
 
-// The line, from 1, of the setting or of the nearest group around it that has a line; null without any.
+// The line, from 1, of the setting or of the nearest group around it that has a line; null if there is none.
 export function lineOf(text, path) {
   const groups = [];  // those around a line, with their indentation
   let best = null;

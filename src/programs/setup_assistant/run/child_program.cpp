@@ -16,20 +16,20 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-constexpr int kNotFound = 127;  // as shells have it
+constexpr int kNotFound = 127;  // as in shells
 
-/// In the child: only what is allowed after fork in a process with threads.
+/// Runs in the child: calls only what is allowed after fork in a process with threads.
 [[noreturn]] void becomeProgram(char* const* command, int output, pid_t parent) {
   // A terminal's Ctrl-C is for this server, which then stops the program in its own way.
   ::setpgid(0, 0);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  // A shell that starts the server in the background has it ignored, and the program would inherit
-  // that.
+  // A shell that starts the server in the background makes it ignore SIGINT, which the program
+  // would inherit.
   ::signal(SIGINT, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGINT);
-  if (::getppid() != parent) ::_exit(kNotFound);  // it has died before that
+  if (::getppid() != parent) ::_exit(kNotFound);  // the parent has died before that
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);

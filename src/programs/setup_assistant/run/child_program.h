@@ -8,32 +8,33 @@
 
 namespace synthetic_dataset::programs {
 
-/// The file of one of this package's programs. @throws Error when it is not there
+/// The file of one of this package's programs. @throws Error when it does not exist
 [[nodiscard]] std::string programBesideThis(const std::string& name);
 
-/// A program that runs beside this one and is asked to stop when this one dies, however it does:
-/// by SIGINT, after which `generate` finishes its scene and can go on another time.
+/// A program that runs as a child process and receives SIGINT when this process dies, for whatever
+/// reason: `generate` then finishes its scene and can be resumed later.
 ///
-/// The system watches the thread that made it, which therefore has to live as long as the program.
+/// The system ties this to the thread that started the program, which therefore has to live as long
+/// as the program.
 class ChildProgram {
  public:
   /// @param command  the program's file and its arguments
   /// @throws Error when it cannot be started
   explicit ChildProgram(const std::vector<std::string>& command);
 
-  /// Stops the program at once where wait() was not called.
+  /// Kills the program if wait() was not called.
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// Reads what it prints, both of its outputs, until it closes them.
-  /// @param take  gets each line
+  /// Reads what the program prints on its standard output and error, until it closes both.
+  /// @param take  receives each line
   void read(const std::function<void(const std::string& line)>& take) const;
 
-  /// @return its exit code, as a shell has it: 128 + signal where one ended it
+  /// @return the exit code as in a shell: 128 + signal if a signal ended the program
   int wait();
 
-  /// Its own until wait() is called.
+  /// The process id, which is not reused until wait() is called.
   [[nodiscard]] pid_t id() const { return id_; }
 
  private:

@@ -76,7 +76,7 @@ Value::Map RunControl::state() const {
           {"exit_code", exit_code_ ? Value(*exit_code_) : Value()}};
 }
 
-/// The one thread that makes child programs: they stop when it ends.
+/// Runs in the only thread that starts child programs: they stop when it ends.
 void RunControl::work() {
   for (;;) {
     std::vector<std::string> command;
@@ -103,7 +103,7 @@ void RunControl::runOnce(const std::vector<std::string>& command) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     child_ = child.id();
-    // It may have been stopped, or this be at its end, before there was a process.
+    // stop() or the destructor may have been called before there was a process.
     if (is_over_ || !wanted_) ::kill(child_, SIGINT);
     is_stopping_ = !wanted_;
     wanted_.reset();
@@ -118,7 +118,7 @@ void RunControl::runOnce(const std::vector<std::string>& command) {
   });
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    child_ = kEnding;  // its number may be another process's from now on
+    child_ = kEnding;  // its id may be reused from now on
   }
   const int code = child.wait();
   const std::lock_guard<std::mutex> lock(mutex_);

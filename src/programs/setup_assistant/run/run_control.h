@@ -15,23 +15,23 @@
 
 namespace synthetic_dataset::programs {
 
-/// Starts and stops `generate`, one at a time, and knows how far it is.
+/// Starts and stops `generate`, one process at a time, and tracks its progress.
 class RunControl {
  public:
-  /// @param on_change  called in another thread when there is news
+  /// @param on_change  called in another thread when the state has changed
   explicit RunControl(std::function<void()> on_change);
 
-  /// A run that goes on is asked to stop, and waited for.
+  /// Asks a run in progress to stop, and waits for its end.
   ~RunControl();
   RunControl(const RunControl&) = delete;
   RunControl& operator=(const RunControl&) = delete;
 
   /// @param command  generate's file and its arguments
-  /// @throws HttpError 409 when a run goes on already
+  /// @throws HttpError 409 when a run is in progress already
   void start(const std::vector<std::string>& command);
 
-  /// Asks the run to stop behind the scene that it makes; asked again, at once. Nothing happens
-  /// without a run.
+  /// Asks the run to stop after its current scene; if called again, at once. Does nothing without a
+  /// run.
   void stop();
 
   [[nodiscard]] bool isRunning() const;
@@ -49,13 +49,13 @@ class RunControl {
   std::condition_variable changed_;
   std::optional<std::vector<std::string>> wanted_;
   static constexpr pid_t kNone = -1;
-  static constexpr pid_t kEnding = -2;  ///< it prints nothing more
-  pid_t child_ = kNone;                 ///< of a run that goes on
+  static constexpr pid_t kEnding = -2;  ///< the run prints nothing more
+  pid_t child_ = kNone;                 ///< the process of the run in progress
   bool is_stopping_ = false;
   bool is_over_ = false;
   RunLog log_;
   std::optional<int> exit_code_;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< declared last: it uses the other members
 };
 
 }  // namespace synthetic_dataset::programs

@@ -16,7 +16,7 @@ std::optional<Value::Map> groupIn(const std::string& line) {
   try {
     const Value value = base::parseYaml(line, "line");
     if (const auto* map = value.as<Value::Map>()) return *map;
-  } catch (const Error&) {  // a line for people that begins so
+  } catch (const Error&) {  // a line for people that begins with a brace
   }
   return std::nullopt;
 }

@@ -84,7 +84,7 @@ Value DocumentService::redo() {
 Value DocumentService::decideOutside(const Value& body) {
   const auto* take = requiredOf(body, "take").as<bool>();
   if (take == nullptr) throw Error("take: it should be true or false");
-  return changing([&] { *take ? document_.takeOutside() : document_.keepOwn(); });
+  return changing([&] { *take ? document_.acceptExternal() : document_.overwriteExternal(); });
 }
 
 void DocumentService::look() {
@@ -127,8 +127,8 @@ Value DocumentService::stateLocked() {
                     {"error", faultValue(document_)}};
 }
 
-/// Of files that the page may not look into, and variables that the user has not named, it could
-/// show what they hold.
+/// Restricts files and variables: the page could otherwise show the contents of files that it may
+/// not look into, and of variables that the user has not named.
 Value DocumentService::load(const config::TextFinder& environment) const {
   config::SettingsSources sources;
   sources.package_folder = packages_.finder();
@@ -143,7 +143,7 @@ void DocumentService::rememberVariables() {
       variables_.insert(name);
       return config::environmentVariable(name);
     });
-  } catch (const Error&) {  // which is said when the page asks
+  } catch (const Error&) {  // reported when the page asks
   }
 }
 
@@ -154,7 +154,7 @@ std::optional<std::string> DocumentService::variable(const std::string& name) co
               "setup_assistant anew, and they may");
 }
 
-/// A file that is not on the disk as it is shown stays as it was read last.
+/// If the text that is shown is not on the disk, the settings that were read last stay.
 void DocumentService::readEffective() {
   if (effective_.revision == document_.revision()) return;
   effective_.revision = document_.revision();

@@ -16,11 +16,11 @@
 
 namespace synthetic_dataset::programs {
 
-/// What the settings of a file amount to with those that it includes, substitutions filled in.
+/// The settings of a file together with those that it includes, with substitutions filled in.
 struct EffectiveSettings {
   std::int64_t revision = 0;
-  std::optional<Value> settings;    ///< of the run, or of the first of its twin
-  std::vector<std::string> errors;  ///< instead of that
+  std::optional<Value> settings;    ///< of the run, or of the first run of a twin
+  std::vector<std::string> errors;  ///< if there are no settings, the reasons
 };
 
 /// The settings document for many pages at once, and their requests about it.
@@ -29,16 +29,16 @@ class DocumentService {
   /// Called after each change, in the thread that made it.
   using OnChange = std::function<void()>;
 
-  /// @param file  that is there
-  /// @param allowed  in which included files may lie
+  /// @param file  one that exists
+  /// @param allowed  the folders in which included files may lie
   DocumentService(std::string file, const AllowedFolders& allowed, OnChange on_change);
 
   [[nodiscard]] const std::string& file() const { return document_.file(); }
 
-  /// All that a page knows of it.
+  /// All that a page is told about the document.
   [[nodiscard]] Value state();
 
-  /// What requests ask for. @param body  of the request
+  /// Carry out a page's requests. @param body  of the request
   [[nodiscard]] Value set(const Value& body);
   [[nodiscard]] Value type(const Value& body);
   [[nodiscard]] Value undo();
@@ -48,12 +48,12 @@ class DocumentService {
   /// @throws HttpError 409 when the file on the disk does not say what the page shows
   void requireOnDisk();
 
-  /// Looks whether somebody else has changed the file.
+  /// Checks whether somebody else has changed the file.
   void look();
 
   [[nodiscard]] std::int64_t revision();
 
-  /// Those of the last text that was YAML.
+  /// The effective settings of the last text that was valid YAML.
   [[nodiscard]] EffectiveSettings effective();
 
  private:
@@ -68,7 +68,7 @@ class DocumentService {
   std::mutex mutex_;
   SettingsDocument document_;
   const AllowedFolders& allowed_;
-  std::set<std::string> variables_;  ///< of the environment, that the settings named at the start
+  std::set<std::string> variables_;  ///< environment variables that the settings named at the start
   EffectiveSettings effective_;
   run::RosPackageIndex packages_;  ///< found once, since every change asks for them
   OnChange on_change_;

@@ -7,7 +7,7 @@ namespace {
 constexpr std::int64_t kSmall = 32 * 32;   // [px]
 constexpr std::int64_t kMedium = 96 * 96;  // [px]
 
-constexpr double kSeenWhole = 0.95;  // the rest may be a pixel at the edge of what is in front
+constexpr double kSeenWhole = 0.95;  // the rest may be pixels at the edge of what is in front
 constexpr double kHalf = 0.5;
 
 bool isWanted(const std::string& wanted, const std::string& found) {
@@ -64,7 +64,7 @@ ChosenScenes chosenScenes(const output::WrittenDataset& dataset, const LabelFilt
   }
   dataset.forEachLabel([&](const output::WrittenLabel& label) {
     const auto split = splits.find(label.scene);
-    if (split == splits.end()) return;  // a run has added it since
+    if (split == splits.end()) return;  // a run has added the scene meanwhile
     if (!filter.takesSplit(split->second) || !filter.takes(label)) return;
     if (filter.isOfLabels()) add(label.scene, split->second);
     count(label.class_name, chosen.classes);

@@ -10,20 +10,20 @@
 
 namespace synthetic_dataset::programs {
 
-/// How large a label is: COCO's classes of areas, by visible pixels; empty where these were not
+/// A label's size, by visible pixels, in COCO's area classes; empty if these pixels were not
 /// counted.
 [[nodiscard]] std::string sizeOf(const output::WrittenLabel& label);
 
-/// How much of a label something hides; empty where that was not measured.
+/// How much of a label is occluded ("none", "part", "most"); empty if that was not measured.
 [[nodiscard]] std::string occlusionOf(const output::WrittenLabel& label);
 
 /// Chooses scenes of a dataset by their split, and by the labels in them.
 class LabelFilter {
  public:
-  /// @param request  class, split, size, occlusion: what is not given, or empty, may be any
+  /// @param request  class, split, size, occlusion: one that is missing or empty matches anything
   explicit LabelFilter(const HttpRequest& request);
 
-  /// Whether labels are chosen, so that scenes without any are left out.
+  /// Whether it selects labels, so that scenes without a matching one are left out.
   [[nodiscard]] bool isOfLabels() const;
 
   [[nodiscard]] bool takesSplit(const std::string& split) const;
@@ -36,11 +36,11 @@ class LabelFilter {
   std::string occlusion_;
 };
 
-/// The scenes that a filter takes, and what is in them.
+/// The scenes that a filter accepts, and what is in them.
 struct ChosenScenes {
   std::vector<std::int64_t> scenes;                ///< their indices, in order
-  std::map<std::string, std::int64_t> splits;      ///< scenes of each
-  std::map<std::string, std::int64_t> classes;     ///< labels of each, of those it takes
+  std::map<std::string, std::int64_t> splits;      ///< number of scenes in each
+  std::map<std::string, std::int64_t> classes;     ///< number of accepted labels of each
   std::map<std::string, std::int64_t> sizes;       ///< the same by sizeOf()
   std::map<std::string, std::int64_t> occlusions;  ///< the same by occlusionOf()
 };

@@ -18,7 +18,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-// What pages are shown of a run: values of LiveRun, with the addresses of their pictures.
+// The views of a run that pages show: values of LiveRun, with the addresses of their pictures.
 
 constexpr std::int64_t kMostDraws = 25;
 constexpr std::int64_t kNarrowest = 64;  // of a portrait [px]
@@ -28,7 +28,7 @@ int portraitWidth(std::int64_t wanted) {
   return static_cast<int>(std::clamp(wanted, kNarrowest, kWidest));
 }
 
-/// A picture's address; nothing where there is no picture.
+/// A picture's address; null if there is no picture.
 Value addressOf(const cv::Mat& picture, const std::string& extension, PictureCache& pictures) {
   return picture.empty() ? Value() : Value(pictures.add(picture, extension));
 }
@@ -95,7 +95,7 @@ Value modelView(run::LiveRun& live, const HttpRequest& request, PictureCache& pi
   return value;
 }
 
-/// What a click on a model's picture means.
+/// The link and the point on it that a click on a model's picture hits.
 /// @param body  object, yaw, pitch, width, and x and y [px]
 Value pickView(run::LiveRun& live, const Value& body) {
   run::Viewpoint viewpoint;
@@ -197,7 +197,7 @@ HttpResponse LiveService::picture(const std::string& name) const {
   HttpResponse response;
   response.type = name.find(".png") != std::string::npos ? "image/png" : "image/jpeg";
   response.body = *bytes;
-  // Its address never means another picture.
+  // An address never means another picture.
   response.headers["Cache-Control"] = "private, max-age=3600, immutable";
   return response;
 }

@@ -10,27 +10,27 @@
 
 namespace synthetic_dataset::programs {
 
-/// What the settings amount to, and pictures of it.
+/// The set-up that results from the settings, and pictures of it.
 class LiveService {
  public:
   using OnSetup = std::function<void(const Value& setup)>;
 
   /// @param document  has to outlive this
-  /// @param on_setup  gets what the settings amount to after each change
+  /// @param on_setup  receives the resulting set-up after each change of the settings
   LiveService(DocumentService& document, OnSetup on_setup);
 
-  /// The settings have changed: finds out in the background what they amount to.
+  /// To be called when the settings have changed: reads the set-up again in the background.
   void refresh();
 
-  /// Answers nothing any more; what takes long is broken off.
+  /// Refuses all requests from now on, and interrupts a set-up in progress.
   void close() { worker_.close(); }
 
   [[nodiscard]] Value setup();
 
-  /// All formats; their writers are loaded where a run's are.
+  /// All formats; their writers are loaded in the same thread as those of a run.
   [[nodiscard]] Value formats();
 
-  /// The full check of the run, whose findings are added to what the settings amount to.
+  /// The full check of the run, whose findings are added to the set-up.
   [[nodiscard]] Value check();
 
   [[nodiscard]] Value scene(const HttpRequest& request);
@@ -46,11 +46,12 @@ class LiveService {
   [[nodiscard]] HttpResponse picture(const std::string& name) const;
 
  private:
-  /// Waits for a job with the current settings. Of those of one kind and page, the latest wins.
+  /// Has a job done with the current settings and waits for it. Of waiting jobs of one kind and
+  /// page, only the latest is done.
   [[nodiscard]] Value latest(const std::string& kind, const HttpRequest& request,
                              const LiveWorker::Job& job);
 
-  /// The same for jobs that do the same for all pages.
+  /// Like latest(), but for jobs that do the same for all pages: one answers all that wait.
   [[nodiscard]] Value once(const std::string& kind, const LiveWorker::Job& job);
 
   [[nodiscard]] LiveWorker::Job withSettings(const LiveWorker::Job& job);
@@ -61,8 +62,8 @@ class LiveService {
   DocumentService& document_;
   OnSetup on_setup_;
   PictureCache pictures_;
-  EffectiveSettings shown_;  ///< to LiveRun; only the worker's thread uses it
-  LiveWorker worker_;        ///< last: its jobs use the others
+  EffectiveSettings shown_;  ///< last given to LiveRun; only the worker's thread uses it
+  LiveWorker worker_;        ///< declared last: its jobs use the other members
 };
 
 }  // namespace synthetic_dataset::programs

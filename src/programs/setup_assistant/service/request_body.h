@@ -9,24 +9,24 @@
 namespace synthetic_dataset::programs {
 
 /// The JSON of a request; without a body, an empty group.
-/// @throws HttpError 400 when it is none
+/// @throws HttpError 400 when it is not valid JSON
 [[nodiscard]] Value bodyOf(const HttpRequest& request);
 
-/// An entry of a body. @throws HttpError 400 when it is not there, or of another kind
+/// An entry of a body. @throws HttpError 400 when it is missing or of another kind
 [[nodiscard]] const Value& requiredOf(const Value& body, const std::string& name);
 [[nodiscard]] std::int64_t wholeNumberOf(const Value& body, const std::string& name);
 
-/// An entry of a body; null where there is none.
+/// An entry of a body; null if there is none.
 [[nodiscard]] Value entryOf(const Value& body, const std::string& name);
 
-/// A number, or the fallback where there is none.
+/// A number; the fallback if there is none.
 [[nodiscard]] double numberOf(const Value& body, const std::string& name, double fallback);
 
-/// A text; empty where there is none.
+/// A text; empty if there is none.
 [[nodiscard]] std::string textOf(const Value& body, const std::string& name);
 
-/// A whole number, or any number, in the address.
-/// @throws HttpError 400 when it is none
+/// A whole number, or any number, in the address; the fallback if there is none.
+/// @throws HttpError 400 when it is not such a number
 [[nodiscard]] std::int64_t wholeParameter(const HttpRequest& request, const std::string& name,
                                           std::int64_t fallback);
 [[nodiscard]] double numberParameter(const HttpRequest& request, const std::string& name,

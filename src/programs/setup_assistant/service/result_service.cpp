@@ -51,8 +51,8 @@ Value sceneValue(const output::WrittenDataset& dataset, std::int64_t index) {
                     {"image", Value(picture)},     {"overlay", Value(picture + "&labels=1")}};
 }
 
-/// The writer whose labels are shown: one that can be read before the dataset is complete, if there
-/// is one.
+/// The writer whose labels are shown: if possible, one whose files can be read before the dataset
+/// is complete.
 std::optional<std::string> writerToShow(const output::WrittenDataset& dataset) {
   std::optional<std::string> second;
   for (const output::WrittenWriter& writer : dataset.writers()) {
@@ -64,7 +64,7 @@ std::optional<std::string> writerToShow(const output::WrittenDataset& dataset) {
   return second;
 }
 
-/// When a dataset's report was made, for its address; nothing where it was not.
+/// The time at which a dataset's report was made, for its address; null if there is no report.
 Value reportTime(const std::string& folder) {
   std::error_code error;
   const auto time = std::filesystem::last_write_time(output::reportFile(folder), error);
@@ -193,7 +193,7 @@ HttpResponse ResultService::report() {
   } catch (const Error&) {
     throw HttpError(404, "there is no report of this dataset yet");
   }
-  // It needs nothing but itself, and what it shows comes from users' files.
+  // The report needs no other files, and what it shows comes from users' files.
   response.headers["Content-Security-Policy"] =
       "sandbox; default-src 'none'; img-src data:; style-src 'unsafe-inline'; frame-ancestors "
       "'none'";

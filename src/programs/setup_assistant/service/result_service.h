@@ -12,30 +12,31 @@
 
 namespace synthetic_dataset::programs {
 
-/// The dataset that the settings have made so far, from its files alone.
+/// The dataset that runs with the settings have made so far, read from its files only.
 class ResultService {
  public:
   /// @param document, allowed  have to outlive this
   ResultService(DocumentService& document, const AllowedFolders& allowed)
       : document_(document), allowed_(allowed) {}
 
-  /// Some of its scenes, of those that a LabelFilter takes, and what they and all of them hold.
+  /// A page of the scenes that a LabelFilter accepts, and counts of what all these and the whole
+  /// dataset contain.
   /// @throws HttpError 404 when there is no dataset yet
   [[nodiscard]] Value page(const HttpRequest& request);
 
-  /// A scene's image; with `labels=1` with those that a format's files have (`writer=NAME`, else
-  /// the first that can be drawn), and no wider than `width` [px].
+  /// A scene's image, no wider than `width` [px]; with `labels=1`, with the labels in the files of
+  /// a format (`writer=NAME`, else the first that can be drawn).
   /// @param name  "12.jpg"
   [[nodiscard]] HttpResponse picture(const std::string& name, const HttpRequest& request);
 
-  /// What `verify` says.
+  /// Checks the dataset as the tool `verify` does.
   [[nodiscard]] Value verify();
 
   /// Makes the page of `report` in the dataset's folder, which takes seconds.
-  /// @throws HttpError 403 where the page may not write
+  /// @throws HttpError 403 if the page may not write there
   [[nodiscard]] Value makeReport();
 
-  /// That page, as it was made last. @throws HttpError 404 when it was not
+  /// The page of `report` as it was last made. @throws HttpError 404 if there is none
   [[nodiscard]] HttpResponse report();
 
  private:
@@ -43,7 +44,7 @@ class ResultService {
 
   DocumentService& document_;
   const AllowedFolders& allowed_;
-  std::mutex reporting_;  ///< two would write one file
+  std::mutex reporting_;  ///< held while a report is made: two would write the same file
   std::mutex drawing_;    ///< two pictures at a time would take the cores from the run
 };
 

@@ -27,7 +27,7 @@ std::string settingText(const Value& group, const std::string& name) {
   return text == nullptr ? "" : *text;
 }
 
-/// The setting that has a run make some of its scenes alone.
+/// The setting that makes a run produce only some of its scenes.
 std::string onlyScenes(const Value& wanted) {
   Value::List scenes;
   constexpr std::int64_t kMost = 10000;
@@ -41,11 +41,11 @@ std::string onlyScenes(const Value& wanted) {
   return "only_scenes:=" + base::jsonText(scenes);
 }
 
-/// How far somebody else's run is, by what it has written.
+/// Adds how far somebody else's run is, according to what it has written.
 void countScenes(const std::string& folder, Value::Map& state) {
   try {
     state["scenes_done"] = output::WrittenDataset(folder).counts().scenes;
-  } catch (const Error&) {  // it has only begun
+  } catch (const Error&) {  // the run has only just begun
   }
 }
 
@@ -119,7 +119,7 @@ void RunService::look() {
   on_end_();
 }
 
-/// What the run will read from the disk.
+/// The settings that the run will read from the disk.
 Value::Map RunService::settings() {
   document_.requireOnDisk();
   const auto effective = document_.effective();
@@ -128,14 +128,14 @@ Value::Map RunService::settings() {
   return map == nullptr ? Value::Map{} : *map;
 }
 
-/// The page may have any file of the user's overwritten, if it could choose the folder freely.
+/// If the page could choose the folder freely, it could have any of the user's files overwritten.
 void RunService::requireOwnFolders(const Value::Map& settings) const {
   std::vector<std::pair<std::string, std::string>> targets = {
       {"output_folder", settingText(Value(settings), "output_folder")}};
   for (const auto& [name, group] : settings) {
     const std::string folder = settingText(group, "output_folder");
     targets.emplace_back(name + "/output_folder", folder);
-    // A relative one lies below the writer's folder, which is below the dataset's or its own.
+    // A relative path starts at the writer's folder: one of its own, or one below the dataset's.
     const fs::path list = settingText(group, "main_list");
     const fs::path base = folder.empty() ? outputFolderOf(Value(settings)) + "/" + name : folder;
     targets.emplace_back(name + "/main_list",

@@ -12,24 +12,25 @@
 
 namespace synthetic_dataset::programs {
 
-/// The run of the settings: this server's own, or one that somebody else has started.
+/// The run of the settings: one that this server has started, or somebody else.
 class RunService {
  public:
   /// @param document, allowed  have to outlive this
-  /// @param on_change  gets the state when there is news
+  /// @param on_change  receives the state when it has changed
   /// @param on_end  called when a run has ended, or begun elsewhere
   RunService(DocumentService& document, const AllowedFolders& allowed,
              std::function<void(const Value& state)> on_change, std::function<void()> on_end);
 
-  /// @param body  `scenes`, a number or a list of them: only these are made, others another time;
-  ///     `replace`, the output folder: what an earlier run made there is removed first
-  /// @throws HttpError where the settings on the disk are not those of the page, the run would
-  ///     write where the page may not, or the folder is not the one to be replaced
+  /// @param body  `scenes`, how many scenes or a list of them: only these are made, the others can
+  ///     be made later; `replace`, the output folder: what an earlier run made there is removed
+  ///     first
+  /// @throws HttpError if the settings on the disk are not those of the page, the run would write
+  ///     where the page may not, or the folder is not the one to be replaced
   [[nodiscard]] Value start(const Value& body);
   [[nodiscard]] Value stop();
   [[nodiscard]] Value state();
 
-  /// Looks whether somebody else's run has begun or ended.
+  /// Checks whether somebody else's run has begun or ended.
   void look();
 
  private:
@@ -42,10 +43,10 @@ class RunService {
   std::function<void()> on_end_;
   std::mutex mutex_;
   bool was_elsewhere_ = false;
-  RunControl run_;  ///< last: it uses the others
+  RunControl run_;  ///< declared last: it uses the other members
 };
 
-/// Where the dataset of settings goes; empty where they do not say it.
+/// The folder into which settings write the dataset; empty if they name none.
 [[nodiscard]] std::string outputFolderOf(const Value& settings);
 
 }  // namespace synthetic_dataset::programs

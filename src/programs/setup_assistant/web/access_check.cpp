@@ -12,7 +12,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// In a time that does not depend on where they differ.
+/// Compares in a time that does not depend on where the texts differ.
 bool areEqual(const std::string& a, const std::string& b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -72,7 +72,7 @@ AccessCheck::AccessCheck(std::string token, const std::string& address, std::uin
 std::optional<HttpResponse> AccessCheck::answer(const HttpRequest& request) const {
   const std::string host = request.header("host");
   const std::string origin = request.header("origin");
-  // Another page on this machine has an origin of its own: another port.
+  // Another server's page on this machine has another origin, as its port differs.
   if (!isOwnHost(host) || (!origin.empty() && origin != "http://" + host)) return forbidden();
   const auto given = request.parameter("token");
   if (given && areEqual(*given, token_)) {
@@ -96,8 +96,8 @@ HttpRequest AccessCheck::inside(HttpRequest request) const {
   return request;
 }
 
-/// Names that are not this machine's could lead here by somebody else's DNS. Any port is right: ssh
-/// may have forwarded another one.
+/// Other names could lead here through somebody else's DNS. Any port is accepted, since ssh may
+/// have forwarded another one.
 bool AccessCheck::isOwnHost(const std::string& host) const {
   const std::string name = hostName(host);
   if (name == "localhost" || name == "127.0.0.1" || name == "[::1]" || name == address_)

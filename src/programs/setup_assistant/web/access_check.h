@@ -8,29 +8,29 @@
 
 namespace synthetic_dataset::programs {
 
-/// 128 bits of the system's randomness, in hexadecimal digits.
+/// 128 random bits from the system, in hexadecimal digits.
 [[nodiscard]] std::string makeToken();
 
-/// What other machines call this one.
+/// The host name of this machine.
 [[nodiscard]] std::string machineName();
 
-/// Who may ask: whoever knows the token, from a page of this server.
+/// Decides who may make requests: whoever knows the token, from a page of this server.
 ///
 /// Browsers send a cookie to every port of a machine (RFC 6265, section 8.5), thus to the servers
-/// of other users, too. Therefore the page lies in a folder whose name is a secret of its own, and
-/// the cookie is for that folder alone: no other server can have the browser ask for it.
+/// of other users, too. Therefore the page lies in a folder whose name is another secret, and the
+/// cookie is valid for that folder only: no other server can make the browser request the folder.
 class AccessCheck {
  public:
-  /// @param token  opens the page, and answers a program's requests
+  /// @param token  opens the page, and admits a program's requests
   /// @param address  that the server listens on
   AccessCheck(std::string token, const std::string& address, std::uint16_t port);
 
-  /// What a request is answered that does not get through: 403, or, for the first visit with the
-  /// token in the address, the cookie and the page's address without the token. Nothing: it gets
-  /// through. Needs no body.
+  /// The answer to a request that is not admitted: 403, or, for the first visit with the token in
+  /// the address, a redirection to the page's address without the token, with the cookie. Returns
+  /// nothing if the request is admitted. Does not need the request's body.
   [[nodiscard]] std::optional<HttpResponse> answer(const HttpRequest& request) const;
 
-  /// A request that got through, with its path inside the page's folder.
+  /// An admitted request, with its path relative to the page's folder.
   [[nodiscard]] HttpRequest inside(HttpRequest request) const;
 
  private:

@@ -8,7 +8,7 @@ void ConnectionList::open(int socket) {
   const std::lock_guard<std::mutex> lock(mutex_);
   strangers_.push_back(socket);
   if (strangers_.size() <= kMostStrangers) return;
-  ::shutdown(strangers_.front(), SHUT_RDWR);  // whoever serves it finds it ended, and closes it
+  ::shutdown(strangers_.front(), SHUT_RDWR);  // the thread that serves it notices, and closes it
   strangers_.pop_front();
 }
 

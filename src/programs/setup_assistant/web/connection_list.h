@@ -6,19 +6,19 @@
 
 namespace synthetic_dataset::programs {
 
-/// The open connections of a server. Those on which nobody has shown the token are strangers', who
-/// cannot keep others out: where there are too many, the oldest of them is ended.
+/// The open connections of a server on which nobody has shown the token. These strangers cannot
+/// keep others out: if there are too many, the oldest of them is shut down.
 class ConnectionList {
  public:
   static constexpr std::size_t kMostStrangers = 64;
 
-  /// A connection has begun.
+  /// Adds a new connection.
   void open(int socket);
 
-  /// A request on it got through.
+  /// Removes a connection on which a request was admitted.
   void admit(int socket);
 
-  /// It ends; its number may be another one's afterwards.
+  /// Forgets a connection that closes; its descriptor may be reused afterwards.
   void close(int socket);
 
  private:

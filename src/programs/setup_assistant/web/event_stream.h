@@ -12,17 +12,17 @@
 
 namespace synthetic_dataset::programs {
 
-/// Events on their way to one page, as text/event-stream has them
-/// (https://html.spec.whatwg.org/multipage/server-sent-events.html). Of events of one name that a
-/// slow page has not fetched yet, the last one counts.
+/// Events on their way to one page, in the format of text/event-stream
+/// (https://html.spec.whatwg.org/multipage/server-sent-events.html). Of several events of one name
+/// that a slow page has not fetched yet, only the last one is kept.
 class EventStream {
  public:
   /// @param data  one line
   void push(const std::string& name, const std::string& data);
 
   /// Waits for events.
-  /// @return their text, a comment after a while without any, so that a page that has gone is
-  ///     noticed; nothing when the stream is closed
+  /// @return their text; a comment if there are none within `patience`, so that a page that has
+  ///     been closed is noticed; nothing when the stream is closed
   [[nodiscard]] std::optional<std::string> next(std::chrono::milliseconds patience);
 
   void close();
@@ -34,13 +34,13 @@ class EventStream {
   bool is_closed_ = false;
 };
 
-/// All pages that listen.
+/// The event streams of all pages.
 class EventHub {
  public:
   [[nodiscard]] std::shared_ptr<EventStream> subscribe();
   void publish(const std::string& name, const std::string& data);
 
-  /// Ends all streams, and those that are made from now on.
+  /// Closes all streams, including those that are opened from now on.
   void close();
 
  private:

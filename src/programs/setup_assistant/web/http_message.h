@@ -13,12 +13,12 @@ namespace synthetic_dataset::programs {
 
 struct HttpRequest {
   std::string method;                          ///< "GET"
-  std::string path;                            ///< "/api/state"; percent signs are resolved
-  std::map<std::string, std::string> query;    ///< resolved, too
-  std::map<std::string, std::string> headers;  ///< by their names in small letters
+  std::string path;                            ///< "/api/state"; percent-decoded
+  std::map<std::string, std::string> query;    ///< percent-decoded, too
+  std::map<std::string, std::string> headers;  ///< by their names in lower case
   std::string body;
 
-  /// @return empty where there is none
+  /// @return empty if there is none
   [[nodiscard]] std::string header(const std::string& name) const;
   [[nodiscard]] std::optional<std::string> parameter(const std::string& name) const;
 };
@@ -28,10 +28,10 @@ struct HttpResponse {
   std::string type = "application/json; charset=utf-8";
   std::string body;
   std::map<std::string, std::string> headers;
-  std::shared_ptr<EventStream> events;  ///< goes on until the stream is closed; instead of a body
+  std::shared_ptr<EventStream> events;  ///< instead of a body; sent until the stream is closed
 };
 
-/// What a request asks for is not possible, with the status that says why.
+/// The error of a request that cannot be fulfilled; the status says why.
 class HttpError : public Error {
  public:
   HttpError(int status, const std::string& message) : Error(message), status_(status) {}

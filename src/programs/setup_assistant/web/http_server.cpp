@@ -23,15 +23,15 @@ namespace {
 using Answer = decltype(MHD_YES);  // an enumeration since 0.9.71, int before
 
 constexpr std::size_t kLargestBody = 16U << 20U;
-constexpr std::size_t kLargestRefusedBody = 64U << 10U;  // which is read, so that 403 arrives
+constexpr std::size_t kLargestRefusedBody = 64U << 10U;  // is read, so that the 403 arrives
 constexpr unsigned kIdleTime = 60;                       // after which a connection is closed [s]
 constexpr unsigned kStrangerTime = 10;                   // the same before the token was seen [s]
 constexpr std::chrono::seconds kEventPatience(5);
 
-/// A request as it comes in, piece by piece.
+/// A request that is being received, piece by piece.
 struct Incoming {
   HttpRequest request;
-  std::optional<HttpResponse> refusal;  ///< of somebody without the token
+  std::optional<HttpResponse> refusal;  ///< the answer to a request that is not admitted
   std::size_t body_size = 0;
 
   /// Takes a piece of the body. @return whether more may come
@@ -67,7 +67,7 @@ Answer addParameter(void* incoming, MHD_ValueKind /*kind*/, const char* name, co
   return MHD_YES;
 }
 
-/// A stream of events, and what of it has not been sent yet.
+/// A stream of events, and the part of its text that has not been sent yet.
 struct Outgoing {
   std::shared_ptr<EventStream> events;
   std::string text;
@@ -138,7 +138,7 @@ HttpResponse answerTo(const HttpServer::Handler& handler, const HttpRequest& req
               std::generic_category().message(errno));
 }
 
-/// An address for the system, of IPv4 or IPv6.
+/// The system's form of an IPv4 or IPv6 address.
 sockaddr_storage socketAddress(const std::string& address, std::uint16_t port) {
   sockaddr_storage storage{};
   auto* four = reinterpret_cast<sockaddr_in*>(&storage);
@@ -182,7 +182,7 @@ struct HttpServer::Daemon {
     if (incoming->isTooLarge()) {
       return send(connection, errorResponse(413, "found more than 16 MiB; it should be less"));
     }
-    // An answer may take longer than a connection may be idle; setting the time again starts it.
+    // An answer may take longer than a connection may be idle; setting the time again restarts it.
     MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, 0U);
     const Answer answer = send(connection, answerTo(daemon.handler, incoming->request));
     MHD_set_connection_option(connection, MHD_CONNECTION_OPTION_TIMEOUT, kIdleTime);
@@ -195,7 +195,7 @@ struct HttpServer::Daemon {
     *memory = nullptr;
   }
 
-  /// Reads a request's headers, and whether it gets through.
+  /// Reads a request's headers, and decides whether it is admitted.
   void meet(MHD_Connection* connection, Incoming& incoming) {
     MHD_get_connection_values(connection, MHD_HEADER_KIND, addHeader, &incoming);
     MHD_get_connection_values(connection, MHD_GET_ARGUMENT_KIND, addParameter, &incoming);
@@ -255,7 +255,7 @@ void HttpServer::serve(Gate gate, Handler handler) {
       &Daemon::forget, nullptr, MHD_OPTION_NOTIFY_CONNECTION, &Daemon::count, daemon_.get(),
       MHD_OPTION_END);
   if (daemon_->daemon == nullptr) throw Error("the server cannot start");
-  socket_ = -1;  // the daemon's now, which closes it
+  socket_ = -1;  // now owned by the daemon, which closes it
 }
 
 }  // namespace synthetic_dataset::programs

@@ -13,18 +13,19 @@ namespace synthetic_dataset::programs {
 /// An HTTP server on a port of this machine, by libmicrohttpd.
 class HttpServer {
  public:
-  /// Called in a thread for each connection, several at a time. What it throws is answered as an
-  /// error.
+  /// Called in one thread per connection, several at a time. What it throws is sent as an error
+  /// response.
   using Handler = std::function<HttpResponse(const HttpRequest& request)>;
 
-  /// Called in the same threads before a request's body is read: what a request is answered that
-  /// does not get through. Its body is not kept, and its connection makes room for others.
+  /// Called in the same threads before a request's body is read: returns the answer to a request
+  /// that is not admitted, nothing if it is. The body of a refused request is not kept, and its
+  /// connection may be closed to make room for others.
   using Gate = std::function<std::optional<HttpResponse>(const HttpRequest& request)>;
 
   /// Listens from now on, and answers once serve() is called.
-  /// @param address  "127.0.0.1", or another one of this machine, of IPv4 or IPv6
-  /// @param port  0: one that is free
-  /// @throws Error when nobody can listen there
+  /// @param address  "127.0.0.1", or another IPv4 or IPv6 address of this machine
+  /// @param port  0: any free port
+  /// @throws Error when it cannot listen there
   HttpServer(const std::string& address, std::uint16_t port);
 
   ~HttpServer();
@@ -33,11 +34,11 @@ class HttpServer {
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
 
-  /// @throws Error when there is no thread for it
+  /// @throws Error when the server cannot start
   void serve(Gate gate, Handler handler);
 
-  /// Waits for the answers that are under way; the handler is not called any more. Streams of
-  /// events have to be closed before.
+  /// Waits for answers in progress; the handler is not called any more. Event streams have to be
+  /// closed before.
   void stop();
 
  private:

@@ -11,7 +11,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// The part of a row from `left` to `right`; of the pixels at its ends, what it covers of them.
+/// Paints a row from `left` to `right`; the pixels at both ends in proportion to their coverage.
 void paintBetween(const RowPainter& painter, cv::Vec4b* row, int width, double left, double right) {
   const double low = std::max(0.0, left);
   const double high = std::min(static_cast<double>(width), right);
@@ -33,7 +33,7 @@ void paintBetween(const RowPainter& painter, cv::Vec4b* row, int width, double l
   painter.putSpan(row, first, last - 1);
 }
 
-/// Along a row: the square of the distance from a middle, 256 for a radius.
+/// Steps along a row, giving the square of the distance from a middle; 256 at the radius.
 class Walk {
  public:
   Walk(int first, double middle, double radius)
@@ -146,7 +146,7 @@ void fillBlob(Canvas& canvas, const Blob& blob, const Paint& paint) {
   const int top = std::max(0, static_cast<int>(blob.middle.y - reach * blob.high));
   const int bottom = std::min(canvas.rows, static_cast<int>(blob.middle.y + reach * blob.high) + 1);
   const NoiseTable& edge = noise(Waves::kMedium);
-  const bool is_coarse = blob.zoom >= 200;  // else the noise's own places would be seen
+  const bool is_coarse = blob.zoom >= 200;  // otherwise single noise places would be visible
   RowPainter painter(paint);
   for (int y = top; y < bottom; ++y) {
     painter.startRow(y);

@@ -31,7 +31,7 @@ std::vector<Cells::Span> Cells::divided(int side, int cells, int joint) {
     const int last = ((cell + 1) * side + cells - 1) / cells - 1;
     spans.push_back({cell, std::min(i - first, last - i) - joint});
   }
-  // Not with a joint at the border, where it would look like a seam.
+  // Moves joints away from the border, where one would look like a seam.
   std::rotate(spans.begin(), spans.begin() + side / (2 * cells), spans.end());
   return spans;
 }

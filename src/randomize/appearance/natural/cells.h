@@ -11,18 +11,18 @@ namespace synthetic_dataset::randomize::natural {
 
 /// How bricks, tiles or planks are laid. Rows and columns divide a surface evenly.
 struct Laying {
-  int rows = 1;  ///< even, where `shift` is half a cell
+  int rows = 1;  ///< even if `shift` is half a cell
   int columns = 1;
-  int shift = 0;           ///< of each second row, in 1/256 of a cell's width
-  bool is_random = false;  ///< each row is shifted by a number of its own
-  int joint = 1;           ///< half of its width [px]
+  int shift = 0;           ///< of every second row, in 1/256 of a cell's width
+  bool is_random = false;  ///< each row has its own random shift
+  int joint = 1;           ///< half the width of a joint [px]
   int wobble = 0;          ///< how uneven edges are: 0 .. 4 [px]
 };
 
 /// Where a pixel is in its cell.
 struct CellPlace {
-  std::uint32_t hash;  ///< the cell's random number
-  int border;          ///< how far it is from the joint [px]; below 0 in it
+  std::uint32_t hash;  ///< random number of the cell
+  int border;          ///< distance from the joint [px]; negative inside it
 };
 
 /// A surface that is divided into cells.
@@ -44,9 +44,9 @@ class Cells {
   int wobble_;
   std::vector<Span> across_;
   std::vector<Span> along_;
-  std::vector<int> shifts_;  ///< of the rows [px]
+  std::vector<int> shifts_;  ///< of each row [px]
   int columns_;
-  std::vector<std::uint32_t> hashes_;  ///< of the cells, row by row
+  std::vector<std::uint32_t> hashes_;  ///< of each cell, row by row
 };
 
 }  // namespace synthetic_dataset::randomize::natural

@@ -14,9 +14,9 @@ namespace {
 
 using Curve = std::array<std::uint8_t, 256>;
 
-/// @param gain  of 256
-/// @param middle  how much the middle tones are raised, of 256
-/// @param contrast  how much of an S there is in the curve, of 256
+/// @param gain  in 1/256
+/// @param middle  how much the mid-tones are raised, in 1/256
+/// @param contrast  strength of the S-curve, in 1/256
 Curve drawnCurve(int gain, int middle, int contrast) {
   Curve curve{};
   for (int i = 0; i < 256; ++i) {
@@ -37,7 +37,7 @@ int meanOf(const Canvas& canvas) {
   return static_cast<int>(sum / count);
 }
 
-/// A camera exposes so that a picture is neither dark nor bright as a whole, or nearly so.
+/// Imitates a camera's exposure, which keeps a picture from being too dark or too bright overall.
 std::array<Curve, 3> drawCurves(const Canvas& canvas, base::RandomSource& random) {
   const int wanted = between(random, 75, 155);
   const int exposure = std::clamp(256 * wanted / std::max(1, meanOf(canvas)), 150, 480);
@@ -50,7 +50,7 @@ std::array<Curve, 3> drawCurves(const Canvas& canvas, base::RandomSource& random
           drawnCurve(exposure + warmth, middle, contrast)};
 }
 
-/// A row with its neighbours to the left and right: 1 2 1.
+/// Blurs a row with the weights 1 2 1.
 void spreadRow(const std::uint8_t* row, int bytes, std::uint16_t* spread) {
   const auto sum = [&](int left, int i, int right) {
     return static_cast<std::uint16_t>(row[left] + 2 * row[i] + row[right]);
@@ -67,7 +67,7 @@ void spreadColumn(const std::uint16_t* above, const std::uint16_t* here, const s
   }
 }
 
-/// How much darker each place along one axis is, of 256, by the square of the distance.
+/// How much darker each place along one axis is, in 1/256, by the squared distance from the middle.
 std::vector<int> darkened(int count, int corners) {
   std::vector<int> shares;
   for (int i = 0; i < count; ++i) {
@@ -147,7 +147,7 @@ void develop(Canvas& canvas, base::RandomSource& random) {
   const std::vector<int> across = darkened(canvas.cols, corners);
   const std::vector<int> along = darkened(canvas.rows, corners);
   for (int y = 0; y < canvas.rows; ++y) {
-    // rows: this one, the next and the one before, in turn.
+    // `rows` holds this row, the next and the previous one, in turn.
     const auto now = static_cast<std::size_t>(y % 3);
     const std::size_t next = (now + 1) % 3;
     if (y + 1 < canvas.rows) {

@@ -37,7 +37,7 @@ void addStone(Surface& surface, const Stone& stone) {
     const double half = std::sqrt(root);
     const int first = static_cast<int>(std::ceil((-b - half) / a));
     const int last = static_cast<int>(std::floor((-b + half) / a));
-    // 0 in the middle, 1 at the rim; its steps grow evenly.
+    // 0 in the middle, 1 at the rim; the step grows linearly.
     double square = a * first * first + 2.0 * b * first + c;
     double step = a * (2 * first + 1) + 2.0 * b;
     for (int x = first; x <= last; ++x, square += step, step += 2.0 * a) {

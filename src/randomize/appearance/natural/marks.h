@@ -3,28 +3,28 @@
 #include "base/random/random_source.h"
 #include "randomize/appearance/natural/surface_tile.h"
 
-/// What is drawn on surfaces that repeat: beyond a border it goes on at the other side.
+/// Marks on surfaces that repeat: whatever crosses a border continues on the other side.
 namespace synthetic_dataset::randomize::natural {
 
 /// An ellipse on a surface.
 struct Stone {
   int x = 0;
   int y = 0;
-  double radius = 1.0;  ///< the greater one [px]
-  double flat = 1.0;    ///< the smaller one, as a share of the greater
-  double turn_x = 1.0;  ///< the longer axis' direction, a unit vector
+  double radius = 1.0;  ///< the larger one [px]
+  double flat = 1.0;    ///< the smaller one, as a fraction of the larger
+  double turn_x = 1.0;  ///< direction of the longer axis, a unit vector
   double turn_y = 0.0;
-  int tone = 128;   ///< in its middle
+  int tone = 128;   ///< in the middle
   int shade = 40;   ///< how much darker the rim is
-  int height = 96;  ///< of its middle over the rim
+  int height = 96;  ///< of the middle above the rim
 };
 
-/// A unit vector in any direction.
+/// Draws a unit vector with a random direction.
 void drawTurn(base::RandomSource& random, double& x, double& y);
 
 void addStone(Surface& surface, const Stone& stone);
 
-/// A rectangle along the axes, of one tone and height.
+/// An axis-aligned rectangle of a single tone and height.
 struct Block {
   int x = 0;
   int y = 0;
@@ -33,10 +33,10 @@ struct Block {
 };
 void addBlock(Surface& surface, const Block& block, int tone);
 
-/// A line that wanders, as cracks do, darker and deeper than what is around it.
+/// Adds a line that wanders like a crack, darker and deeper than its surroundings.
 void addCrack(Surface& surface, base::RandomSource& random, int length);
 
-/// Pixels here and there.
+/// Adds scattered pixels.
 void addSpecks(Surface& surface, base::RandomSource& random, int count, int tone, int spread);
 
 }  // namespace synthetic_dataset::randomize::natural

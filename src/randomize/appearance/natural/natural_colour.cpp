@@ -13,7 +13,7 @@ struct HueRange {
   double hue[2];  ///< in sixths of the circle, from red to yellow
   double saturation[2];
   double value[2];
-  double weight;  ///< how often it is met with
+  double weight;  ///< how often it occurs
 };
 
 // In the order of Hues.
@@ -42,7 +42,7 @@ Colour fromHue(double hue, double saturation, double value) {
 Colour drawColour(base::RandomSource& random, Hues hues) {
   const HueRange& range = kRanges[static_cast<std::size_t>(hues)];
   double hue = random.uniform(range.hue[0], range.hue[1]);
-  // What is vivid is paint: red, yellow and blue before turquoise and pink.
+  // Vivid things are painted: more often red, yellow and blue than turquoise and pink.
   if (hues == Hues::kVivid && chance(random, 0.6)) {
     constexpr std::array<double, 5> kPaints = {0.05, 0.4, 0.85, 3.6, 2.2};
     hue = kPaints[static_cast<std::size_t>(below(random, 5))] + random.uniform(0.0, 0.12);

@@ -9,25 +9,25 @@
 
 namespace synthetic_dataset::randomize::natural {
 
-/// sRGB-encoded, each 0 .. 255.
+/// sRGB-encoded components, 0 .. 255 each.
 struct Colour {
   int blue = 0;
   int green = 0;
   int red = 0;
 };
 
-/// Where colours of things lie: most are dull, between brown, grey, green and blue; few are vivid.
+/// Typical colours of things: most are dull, between brown, grey, green and blue; few are vivid.
 enum class Hues { kGrey, kEarth, kDry, kGreen, kSky, kBrick, kCream, kDark, kVivid };
 
 [[nodiscard]] Colour drawColour(base::RandomSource& random, Hues hues);
 
-/// Of any of the hues, each as often as it is met with.
+/// Draws from all hues, each as often as it occurs.
 [[nodiscard]] Colour drawAnyColour(base::RandomSource& random);
 
-/// @param share  of the second, 0 .. 256
+/// @param share  of the second colour, 0 .. 256
 [[nodiscard]] Colour mixed(const Colour& first, const Colour& second, int share);
 
-/// @param light  256: as it is
+/// @param light  256 leaves the colour unchanged
 [[nodiscard]] Colour lit(const Colour& colour, int light);
 
 [[nodiscard]] inline std::uint8_t byteOf(int value) {
@@ -41,10 +41,10 @@ enum class Hues { kGrey, kEarth, kDry, kGreen, kSky, kBrick, kCream, kDark, kViv
 /// A surface's colours, by its tones.
 using Palette = std::array<cv::Vec4b, 256>;
 
-/// From one colour to another over the tones from `first` to `last`, at most 255.
+/// Fills the tones from `first` to `last` (at most 255) with a gradient between two colours.
 void addRamp(Palette& palette, int first, int last, const Colour& from, const Colour& to);
 
-/// A colour's shades over the tones from `first` to `last`: the colour itself in their middle.
+/// Fills the tones from `first` to `last` with shades of a colour, which itself is in the middle.
 void addShades(Palette& palette, int first, int last, const Colour& colour, int contrast);
 
 }  // namespace synthetic_dataset::randomize::natural

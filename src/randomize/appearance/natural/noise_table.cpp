@@ -15,13 +15,13 @@ namespace {
 constexpr int kNoiseSide = NoiseTable::kSide;
 using Sums = std::vector<int>;
 
-/// A lattice's random number, -127 .. 127.
+/// The random number at a lattice point, -127 .. 127.
 int latticeValue(int octave, int column, int row) {
   const auto place = static_cast<std::uint64_t>((octave << 20) | (row << 10) | column);
   return static_cast<int>(base::mixedBits((place + 1) * base::kCounterStep) % 255U) - 127;
 }
 
-/// 0 .. 256 over a lattice's spacing, level at both ends.
+/// Eases from 0 to 256 over a lattice's spacing, flat at both ends.
 std::vector<int> easing(int spacing) {
   std::vector<int> shares;
   for (int i = 0; i < spacing; ++i) {
@@ -31,7 +31,7 @@ std::vector<int> easing(int spacing) {
   return shares;
 }
 
-/// Adds random numbers on a lattice, and what lies between.
+/// Adds random numbers at lattice points, with interpolation in between.
 void addOctave(Sums& sums, int octave, int wide, int high) {
   const std::vector<int> across = easing(wide);
   const std::vector<int> along = easing(high);

@@ -5,9 +5,8 @@
 
 namespace synthetic_dataset::randomize::natural {
 
-/// Noise that repeats, -127 .. 127 with a standard deviation of about 42. Each octave is as strong
-/// as the others, as in photographs (Field 1987): its power falls off by the square of the
-/// frequency.
+/// Noise that repeats, -127 .. 127 with a standard deviation of about 42. All octaves are equally
+/// strong, as in photographs (Field 1987): the power falls off with the square of the frequency.
 class NoiseTable {
  public:
   static constexpr int kSide = 512;
@@ -19,14 +18,14 @@ class NoiseTable {
     return values_[static_cast<std::size_t>(((y & (kSide - 1)) << 9) | (x & (kSide - 1)))];
   }
 
-  /// Between the table's places: x and y in 1/256 of them.
+  /// Interpolates between the table's places: x and y in 1/256 of a place.
   [[nodiscard]] int smoothAt(int x, int y) const;
 
  private:
   std::vector<std::int8_t> values_;
 };
 
-/// Which octaves there are, by the longest.
+/// Which octaves a table contains, named after the longest.
 enum class Waves {
   kBroad,    ///< 256 places and shorter
   kMedium,   ///< 64

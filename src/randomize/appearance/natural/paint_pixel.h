@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::randomize::natural {
 
-/// Reads a tile at its places.
+/// Reads texels of one level of a tile.
 class TileReader {
  public:
   TileReader(const Tile& tile, int level)
@@ -27,14 +27,14 @@ class TileReader {
   std::uint32_t mask_;
 };
 
-/// The level of a tile of which there are this many pixels for each of the canvas.
+/// The mipmap level to use when this many of a tile's pixels fall on each canvas pixel.
 [[nodiscard]] inline int levelOf(const Tile& tile, double scale) {
   int level = 0;
   for (double rest = scale; rest > 1.5 && level < tile.bits; rest *= 0.5) ++level;
   return level;
 }
 
-/// Puts a paint on a row's pixels.
+/// Paints pixels of a row.
 class RowPainter {
  public:
   explicit RowPainter(const Paint& paint)
@@ -65,7 +65,7 @@ class RowPainter {
     setPixel(pixel, lanes);
   }
 
-  /// The pixels from `first` to `last`, both on the canvas.
+  /// Paints the pixels from `first` to `last`, both on the canvas.
   void putSpan(cv::Vec4b* row, int first, int last) const {
     if (paint_.round == 0 && paint_.tile != nullptr) {
       putFlat(row, first, last);
@@ -84,7 +84,7 @@ class RowPainter {
   }
 
  private:
-  /// What most spans are: a tile, without the checks of each pixel.
+  /// Fast path for most spans, which show a tile: no checks for each pixel.
   void putFlat(cv::Vec4b* row, int first, int last) const {
     const auto column = static_cast<std::uint32_t>(first);
     std::uint32_t u = u_ + column * paint_.u_x;

@@ -7,7 +7,7 @@
 
 #include "randomize/appearance/natural/natural_colour.h"
 
-/// A pixel's channels side by side in one number, 16 bits each, so that one operation serves all.
+/// A pixel's channels packed into one integer, 16 bits each, so that one operation handles all.
 namespace synthetic_dataset::randomize::natural {
 
 using Lanes = std::uint64_t;
@@ -24,19 +24,19 @@ constexpr Lanes kEachLane = 0x0001000100010001ULL;
 
 [[nodiscard]] inline Lanes lanesOf(const Colour& colour) { return lanesOf(pixelOf(colour)); }
 
-/// @param lanes  each 0 .. 255
+/// @param lanes  0 .. 255 each
 inline void setPixel(cv::Vec4b& pixel, Lanes lanes) {
   lanes = (lanes | lanes >> 8U) & 0x0000FFFF0000FFFFULL;
   const auto packed = static_cast<std::uint32_t>(lanes | lanes >> 16U);
   std::memcpy(pixel.val, &packed, sizeof packed);
 }
 
-/// Alpha of the whole: it lies last in memory, as the machines do that this runs on
-/// (little-endian).
+/// Opaque alpha: last in memory, so the highest lane, since this only runs on little-endian
+/// machines.
 constexpr Lanes kOpaqueLane = 0xFFULL << 48U;
 
-/// Times a light, and white where that is brighter.
-/// @param light  256: as it is; at most 510 counts, and below 0 is none
+/// Multiplies by a light; whatever becomes too bright is clamped to white.
+/// @param light  256 leaves the lanes unchanged; limited to 0 .. 510
 [[nodiscard]] inline Lanes litLanes(Lanes lanes, int light) {
   const int bounded = light < 0 ? 0 : (light > 510 ? 510 : light);
   const Lanes product = (lanes * static_cast<Lanes>(bounded / 2)) >> 7U & (kEachLane * 0x1FFU);
@@ -44,7 +44,7 @@ constexpr Lanes kOpaqueLane = 0xFFULL << 48U;
   return (product | (over - (over >> 8U))) & (kEachLane * 0xFFU);
 }
 
-/// @param share  of the second, 0 .. 256
+/// @param share  of the second pixel, 0 .. 256
 [[nodiscard]] inline Lanes mixedLanes(Lanes first, Lanes second, int share) {
   const auto part = static_cast<Lanes>(share);
   return (first * (256U - part) + second * part) >> 8U & (kEachLane * 0xFFU);

@@ -14,16 +14,16 @@ std::uint32_t fixedPlace(double places) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(places * 65536.0));
 }
 
-/// One row of a ground: all of it is equally far away.
+/// One row of a ground, which is all at the same distance.
 struct GroundRow {
   double distance;  ///< [m]
   double metre;     ///< [px]
-  int haze;         ///< of 256
+  int haze;         ///< in 1/256
 };
 
 void putGround(Canvas& canvas, const Ground& ground, const GroundRow& row, int y, int shift,
                const Tile& tile, int first, int last) {
-  const double scale = 1.0 / (row.metre * ground.texel);  // texels for each pixel
+  const double scale = 1.0 / (row.metre * ground.texel);  // texels per pixel
   const TileReader reader(tile, levelOf(tile, 1.3 * scale));
   const double left = (first + 0.5 - 0.5 * canvas.cols) / row.metre;  // [m]
   std::uint32_t u = fixedPlace(left / ground.texel);
@@ -33,7 +33,7 @@ void putGround(Canvas& canvas, const Ground& ground, const GroundRow& row, int y
   int patch = static_cast<int>(left * 24.0 * 256.0);
   const int patch_step = static_cast<int>(24.0 * 256.0 / row.metre);
   const int patch_row = static_cast<int>(row.distance * 24.0) + shift;
-  // Far away a pixel has the mean of many patches.
+  // Far away a pixel averages many patches.
   const int strength = static_cast<int>(ground.patches * std::min(1.0, row.metre / 24.0));
   const Lanes haze = lanesOf(ground.haze);
   cv::Vec4b* pixels = canvas[y];
@@ -91,7 +91,7 @@ void fillGround(Canvas& canvas, const Ground& ground, base::RandomSource& random
 Sky drawSky(base::RandomSource& random) {
   Sky sky;
   const double draw = random.unit();
-  if (draw < 0.55) {  // blue, with clouds or without
+  if (draw < 0.55) {  // blue, with or without clouds
     sky.zenith = drawColour(random, Hues::kSky);
     sky.zenith.blue = std::max(sky.zenith.blue, 150);
     sky.horizon = mixed(sky.zenith, {245, 238, 230}, between(random, 110, 210));
@@ -103,7 +103,7 @@ Sky drawSky(base::RandomSource& random) {
     sky.horizon = mixed(sky.zenith, {250, 248, 246}, between(random, 40, 180));
     sky.cover = between(random, 100, 256);
     sky.cloud = lit(sky.zenith, between(random, 190, 300));
-  } else {  // in the evening
+  } else {  // evening
     sky.zenith = mixed(drawColour(random, Hues::kSky), {90, 60, 60}, 140);
     sky.horizon = {between(random, 90, 160), between(random, 140, 190), between(random, 215, 250)};
     sky.cover = between(random, 0, 200);
@@ -122,7 +122,7 @@ void fillSky(Canvas& canvas, const Sky& sky, int horizon, base::RandomSource& ra
   int place_y = shift_y;
   for (int y = 0; y < rows; ++y) {
     const Colour air = mixed(sky.zenith, sky.horizon, y * 256 / rows);
-    // Clouds are nearer to one another towards the horizon.
+    // Clouds appear closer together towards the horizon.
     const int distance = 40 * rows / (rows - y + rows / 3);  // 30 .. 120
     const int step = wide * (60 + distance) / 90;
     place_y += step * (40 + distance) / 70;
@@ -182,7 +182,7 @@ void fillWall(Canvas& canvas, const Wall& wall, const Tile& tile) {
     const double share = (x + 0.5 - wall.left) / (wall.right - wall.left);
     const double height = height_left + share * (height_right - height_left);
     const double high = wall.top_left + share * (wall.top_right - wall.top_left);
-    // What is farther away is lower, and more of it is in a pixel.
+    // The farther away, the lower the wall is, and the more of it fits into a pixel.
     const double along =
         share * height_right / ((1.0 - share) * height_left + share * height_right);
     columns.push_back(

@@ -6,8 +6,8 @@
 
 namespace synthetic_dataset::randomize::natural {
 
-/// 0 <= number < count. A picture takes thousands of draws, and base::RandomSource::index() divides
-/// twice for each; that the first of 2^32 numbers are likelier by one cannot be seen.
+/// 0 <= number < count. A picture takes thousands of draws, and base::RandomSource::index() needs
+/// two divisions for each; the bias of this method, below 2^-32, cannot be seen.
 [[nodiscard]] inline int below(base::RandomSource& random, int count) {
   return static_cast<int>(((random.bits() >> 32U) * static_cast<std::uint64_t>(count)) >> 32U);
 }

@@ -14,7 +14,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// A size that is drawn by the third power: there are the more the smaller they are.
+/// A size from a power law: its density falls off with the third power.
 double drawSize(base::RandomSource& random, double least, double most) {
   const double ends = 1.0 - least * least / (most * most);
   return least / std::sqrt(1.0 - ends * random.unit());
@@ -22,7 +22,7 @@ double drawSize(base::RandomSource& random, double least, double most) {
 
 }  // namespace
 
-/// The ground before one's feet.
+/// The ground in front of one's feet.
 void drawFloor(Canvas& canvas, base::RandomSource& random) {
   using Make = Surface (*)(base::RandomSource&, int);
   constexpr std::array<Make, 10> kGrounds = {asphalt, asphalt, concrete, tiles, tiles,
@@ -31,7 +31,7 @@ void drawFloor(Canvas& canvas, base::RandomSource& random) {
     const auto i = static_cast<std::size_t>(below(random, static_cast<int>(kGrounds.size())));
     return tileOf(kGrounds[i](random, bits), random);
   };
-  const Stuffs stuffs = drawStuffs(random);
+  const SceneMaterials chosen = drawSceneMaterials(random);
   const Tile ground_tile = draw(8);
   const Tile way_tile = draw(7);
   Ground ground;
@@ -50,7 +50,7 @@ void drawFloor(Canvas& canvas, base::RandomSource& random) {
   }
   fillGround(canvas, ground, random);
   const double size = canvas.cols;
-  for (int i = between(random, 0, 3); i > 0; --i) {  // shadows of what is not in the picture
+  for (int i = between(random, 0, 3); i > 0; --i) {  // shadows of things outside the picture
     Paint shade;
     shade.light = between(random, 110, 190);
     fillShape(canvas, {random.uniform(-0.2, 1.2) * size, random.uniform(0.0, 1.0) * size},
@@ -70,7 +70,7 @@ void drawFloor(Canvas& canvas, base::RandomSource& random) {
   if (chance(random, 0.3)) soften(canvas, between(random, 1, 3));
   for (int i = between(random, 0, 60); i > 0; --i) {  // litter and leaves
     const Paint paint =
-        paintOf(chance(random, 0.6) ? oneOf(stuffs.crowns, random) : oneOf(stuffs.plain, random),
+        paintOf(chance(random, 0.6) ? oneOf(chosen.crowns, random) : oneOf(chosen.plain, random),
                 random, 1.0);
     fillShape(canvas, {random.unit() * size, random.unit() * canvas.rows},
               drawSize(random, 2.0, 30.0), paint, random);
@@ -79,16 +79,16 @@ void drawFloor(Canvas& canvas, base::RandomSource& random) {
     Standing at;
     at.foot = {random.unit() * size, random.uniform(0.1, 1.2) * canvas.rows};
     at.metre = size * random.uniform(0.1, 0.4);
-    addThing(canvas, at, stuffs, random);
+    addThing(canvas, at, chosen, random);
   }
 }
 
-/// Dead leaves (Lee, Mumford and Huang 2001) of all materials: what hides one another has the
-/// statistics of photographs, edges as well as surfaces.
+/// Dead leaves model (Lee, Mumford and Huang 2001) with all materials: shapes that occlude one
+/// another have the statistics of photographs, in edges as well as surfaces.
 void drawClutter(Canvas& canvas, base::RandomSource& random) {
-  const Stuffs stuffs = drawStuffs(random);
+  const SceneMaterials chosen = drawSceneMaterials(random);
   std::vector<const Tile*> materials;
-  for (const std::vector<Tile>* tiles : {&stuffs.plain, &stuffs.crowns, &stuffs.printed}) {
+  for (const std::vector<Tile>* tiles : {&chosen.plain, &chosen.crowns, &chosen.printed}) {
     for (const Tile& tile : *tiles) materials.push_back(&tile);
   }
   const double most = canvas.cols * random.uniform(0.2, 0.5);
@@ -96,7 +96,7 @@ void drawClutter(Canvas& canvas, base::RandomSource& random) {
   const Tile* first = materials.front();
   fillRectangle(canvas, {0.0, 0.0}, {1.0 * canvas.cols, 1.0 * canvas.rows},
                 paintOf(*first, random, 1.0));
-  // Covers all, then two thirds of it again where that is not out of focus.
+  // Covers everything; if that is then blurred, sharp shapes cover about two thirds of it again.
   const double all = 1.0 * canvas.cols * canvas.rows;
   double area = 2.1 * all;
   const double focus = chance(random, 0.5) ? 1.0 * all : -1.0;

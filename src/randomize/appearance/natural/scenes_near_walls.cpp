@@ -20,7 +20,7 @@ Tile drawnOf(const std::vector<MakeSurface>& makers, int bits, base::RandomSourc
   return tileOf(make(random, bits), random);
 }
 
-/// A rectangle with a rim: a window, a door, a picture on the wall, a poster.
+/// A rectangle with a border: a window, a door, a picture on the wall, a poster.
 void addFramed(Canvas& canvas, const Point& low, const Point& high, double rim, const Paint& frame,
                const Paint& inside) {
   addHaze(canvas, {0.5 * (low.x + high.x) + 3.0, high.y}, 0.6 * (high.x - low.x), 14.0,
@@ -56,8 +56,8 @@ void addWindow(Canvas& canvas, const Point& low, const Point& high, base::Random
   }
 }
 
-/// Windows, posters and boards on a wall between two rows.
-void addToWall(Canvas& canvas, double top, double bottom, const Stuffs& stuffs,
+/// Adds windows, posters and boards to a wall between two rows.
+void addToWall(Canvas& canvas, double top, double bottom, const SceneMaterials& chosen,
                base::RandomSource& random) {
   for (int i = between(random, 0, 6); i > 0; --i) {
     const double wide = canvas.cols * random.uniform(0.06, 0.28);
@@ -69,17 +69,17 @@ void addToWall(Canvas& canvas, double top, double bottom, const Stuffs& stuffs,
       addWindow(canvas, low, end, random);
       continue;
     }
-    const Paint frame = paintOf(oneOf(stuffs.plain, random), random, 1.0);
+    const Paint frame = paintOf(oneOf(chosen.plain, random), random, 1.0);
     const bool is_printed = chance(random, 0.7);
-    const Paint inside = paintOf(is_printed ? stuffs.printed.front() : oneOf(stuffs.plain, random),
+    const Paint inside = paintOf(is_printed ? chosen.printed.front() : oneOf(chosen.plain, random),
                                  random, std::clamp(100.0 / wide, 0.4, 2.5));
     addFramed(canvas, low, end, chance(random, 0.5) ? 0.0 : random.uniform(2.0, 8.0), frame,
               inside);
   }
 }
 
-/// Standing things, of which the lower ones are nearer.
-void addRow(Canvas& canvas, double top, const Stuffs& stuffs, int count, double metre,
+/// Adds standing things; those lower in the picture are nearer.
+void addRow(Canvas& canvas, double top, const SceneMaterials& chosen, int count, double metre,
             base::RandomSource& random) {
   std::vector<double> feet;
   for (int i = 0; i < count; ++i) feet.push_back(random.uniform(top, 1.05 * canvas.rows));
@@ -89,18 +89,18 @@ void addRow(Canvas& canvas, double top, const Stuffs& stuffs, int count, double 
     at.foot = {random.uniform(0.0, 1.0) * canvas.cols, foot};
     at.metre = metre * (1.0 + (foot - top) / canvas.rows);
     at.sun = chance(random, 0.5) ? 1 : -1;
-    addThing(canvas, at, stuffs, random);
+    addThing(canvas, at, chosen, random);
   }
 }
 
 /// A cupboard or a table: a front with doors, and a top.
-void addCupboard(Canvas& canvas, const Standing& at, const Stuffs& stuffs,
+void addCupboard(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
                  base::RandomSource& random) {
   const double wide = at.metre * random.uniform(0.3, 1.1);
   const double high = at.metre * random.uniform(0.5, 2.0);
   const Point& foot = at.foot;
   addShadow(canvas, at, 1.2 * wide);
-  Paint paint = paintOf(oneOf(stuffs.plain, random), random, std::clamp(50.0 / wide, 0.4, 3.0));
+  Paint paint = paintOf(oneOf(chosen.plain, random), random, std::clamp(50.0 / wide, 0.4, 3.0));
   paint.light = between(random, 180, 270);
   if (chance(random, 0.35)) {  // a table
     const double leg = std::max(2.0, 0.05 * at.metre);
@@ -114,7 +114,7 @@ void addCupboard(Canvas& canvas, const Standing& at, const Stuffs& stuffs,
     Standing on = at;
     on.foot = {foot.x + random.uniform(-0.6, 0.6) * wide, foot.y - 0.8 * at.metre};
     on.metre = 0.3 * at.metre;
-    addThing(canvas, on, stuffs, random);
+    addThing(canvas, on, chosen, random);
     return;
   }
   fillRectangle(canvas, {foot.x - wide, foot.y - high}, {foot.x + wide, foot.y}, paint);
@@ -138,7 +138,7 @@ void addCupboard(Canvas& canvas, const Standing& at, const Stuffs& stuffs,
 }  // namespace
 
 void drawWallFront(Canvas& canvas, base::RandomSource& random) {
-  const Stuffs stuffs = drawStuffs(random);
+  const SceneMaterials chosen = drawSceneMaterials(random);
   const Tile wall = drawnOf({brick, brick, plaster, concrete, metal, wood, tiles, rock}, 8, random);
   const Tile floor = drawnOf({asphalt, concrete, tiles, grass, gravel}, 8, random);
   const double foot = canvas.rows * random.uniform(0.5, 1.1);
@@ -148,12 +148,12 @@ void drawWallFront(Canvas& canvas, base::RandomSource& random) {
   paint.light_x = between(random, -60, 60);
   paint.middle_x = canvas.cols / 2;
   fillRectangle(canvas, {0.0, 0.0}, {1.0 * canvas.cols, 1.0 * canvas.rows}, paint);
-  if (chance(random, 0.4)) {  // a lower part of another material
-    Paint base = paintOf(oneOf(stuffs.plain, random), random, 1.0);
+  if (chance(random, 0.4)) {  // a lower part made of another material
+    Paint base = paintOf(oneOf(chosen.plain, random), random, 1.0);
     fillRectangle(canvas, {0.0, foot - canvas.rows * random.uniform(0.04, 0.25)},
                   {1.0 * canvas.cols, foot}, base);
   }
-  addToWall(canvas, -0.1 * canvas.rows, 0.95 * foot, stuffs, random);
+  addToWall(canvas, -0.1 * canvas.rows, 0.95 * foot, chosen, random);
   Ground ground;
   ground.tile = &floor;
   ground.height = 1.5;
@@ -163,24 +163,24 @@ void drawWallFront(Canvas& canvas, base::RandomSource& random) {
   fillGround(canvas, ground, random);
   addHaze(canvas, {0.5 * canvas.cols, foot}, 0.9 * canvas.cols, 16.0, {15, 15, 15}, 130);
   if (chance(random, 0.35)) soften(canvas, between(random, 1, 4));
-  addRow(canvas, foot, stuffs, between(random, 0, 9), canvas.rows * random.uniform(0.2, 0.6),
+  addRow(canvas, foot, chosen, between(random, 0, 9), canvas.rows * random.uniform(0.2, 0.6),
          random);
   if (chance(random, 0.4)) {
     Standing at;
     at.foot = {random.uniform(0.1, 0.9) * canvas.cols, foot + 4.0};
     at.metre = canvas.rows * random.uniform(0.15, 0.4);
-    addBush(canvas, at, stuffs, random);
+    addBush(canvas, at, chosen, random);
   }
 }
 
 void drawRoom(Canvas& canvas, base::RandomSource& random) {
-  const Stuffs stuffs = drawStuffs(random, Whereabouts::kIndoors);
+  const SceneMaterials chosen = drawSceneMaterials(random, Whereabouts::kIndoors);
   const Tile wall = drawnOf({plaster, plaster, plaster, plaster, brick, wood, concrete}, 7, random);
   const Tile floor = drawnOf({wood, wood, tiles, cloth, concrete, plaster}, 8, random);
   const Colour ceiling = drawColour(random, Hues::kCream);
   const double w = canvas.cols;
   const double h = canvas.rows;
-  // The far wall, and the point to which all edges along the room lead.
+  // The far wall, and the vanishing point of all edges along the room.
   const double left = w * random.uniform(-0.2, 0.35);
   const double right = w * random.uniform(0.6, 1.2);
   const double top = h * random.uniform(-0.2, 0.2);
@@ -199,7 +199,7 @@ void drawRoom(Canvas& canvas, base::RandomSource& random) {
   ground.texel = random.uniform(0.006, 0.014);
   ground.patches = between(random, 0, 20);
   fillGround(canvas, ground, random);
-  // A side wall is the far wall's edge, drawn out of the picture.
+  // A side wall continues the far wall's edges out of the picture.
   const auto outward = [&](double edge, double row, double x) {
     return eye.y + (row - eye.y) * (x - eye.x) / (edge - eye.x);
   };
@@ -231,7 +231,7 @@ void drawRoom(Canvas& canvas, base::RandomSource& random) {
   paint.light_x = between(random, -50, 50);
   paint.middle_x = canvas.cols / 2;
   fillRectangle(canvas, {left, top}, {right, foot}, paint);
-  addToWall(canvas, std::max(0.0, top), foot - 0.15 * h, stuffs, random);
+  addToWall(canvas, std::max(0.0, top), foot - 0.15 * h, chosen, random);
   const Tile skirting(drawColour(random, chance(random, 0.5) ? Hues::kCream : Hues::kEarth));
   Paint board;
   board.tile = &skirting;
@@ -249,15 +249,15 @@ void drawRoom(Canvas& canvas, base::RandomSource& random) {
     Standing at;
     at.foot = {random.uniform(0.0, 1.0) * w, row};
     at.metre = metre * (row - eye.y) / (foot - eye.y);
-    addCupboard(canvas, at, stuffs, random);
+    addCupboard(canvas, at, chosen, random);
   }
   if (chance(random, 0.4)) soften(canvas, between(random, 1, 4));
-  addRow(canvas, foot, stuffs, between(random, 1, 8), 0.6 * metre, random);
+  addRow(canvas, foot, chosen, between(random, 1, 8), 0.6 * metre, random);
 }
 
 void drawShelf(Canvas& canvas, base::RandomSource& random) {
-  const Stuffs stuffs = drawStuffs(random, Whereabouts::kIndoors);
-  Paint back = paintOf(oneOf(stuffs.plain, random), random, 1.0);
+  const SceneMaterials chosen = drawSceneMaterials(random, Whereabouts::kIndoors);
+  Paint back = paintOf(oneOf(chosen.plain, random), random, 1.0);
   back.light = between(random, 60, 160);
   fillRectangle(canvas, {0.0, 0.0}, {1.0 * canvas.cols, 1.0 * canvas.rows}, back);
   const Tile board = tileOf(chance(random, 0.6) ? wood(random, 7) : metal(random, 7), random);
@@ -274,13 +274,13 @@ void drawShelf(Canvas& canvas, base::RandomSource& random) {
       const bool is_printed = draw > 0.8;
       Paint paint;
       paint.tile = &colour;
-      if (draw < 0.3) paint = paintOf(oneOf(stuffs.plain, random), random, 1.0);
-      if (is_printed) paint = paintOf(stuffs.printed.front(), random, random.uniform(0.8, 2.0));
+      if (draw < 0.3) paint = paintOf(oneOf(chosen.plain, random), random, 1.0);
+      if (is_printed) paint = paintOf(chosen.printed.front(), random, random.uniform(0.8, 2.0));
       paint.light = between(random, 170, 290);
       paint.round = chance(random, 0.4) ? between(random, 60, 220) : 40;
       fillRectangle(canvas, {x, foot - tall}, {x + wide, foot}, paint);
       if (!is_printed && chance(random, 0.6)) {  // a label
-        Paint label = paintOf(stuffs.printed.front(), random, 1.5);
+        Paint label = paintOf(chosen.printed.front(), random, 1.5);
         label.light = paint.light;
         label.round = paint.round;
         const double from = foot - tall * random.uniform(0.5, 0.9);
@@ -297,7 +297,7 @@ void drawShelf(Canvas& canvas, base::RandomSource& random) {
   }
   if (chance(random, 0.4)) soften(canvas, between(random, 1, 5));
   if (chance(random, 0.4)) {
-    addRow(canvas, 0.9 * canvas.rows, stuffs, between(random, 1, 3), 0.7 * canvas.rows, random);
+    addRow(canvas, 0.9 * canvas.rows, chosen, between(random, 1, 3), 0.7 * canvas.rows, random);
   }
 }
 

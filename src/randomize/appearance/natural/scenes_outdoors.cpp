@@ -17,7 +17,7 @@ struct View {
   Ground ground;
   int sun = 1;
 
-  /// Where a point of the ground is seen. @param across, ahead  [m]
+  /// Where a point on the ground appears. @param across, ahead  [m]
   [[nodiscard]] Standing at(const Canvas& canvas, double across, double ahead) const {
     Standing standing;
     standing.metre = ground.focal / ahead;
@@ -45,8 +45,8 @@ View drawView(const Canvas& canvas, base::RandomSource& random) {
   return view;
 }
 
-/// Houses side by side along one side of a street, from far to near.
-/// @param side  -1: left, 1: right
+/// Adds houses side by side along one side of a street, from far to near.
+/// @param side  -1 for left, 1 for right
 void addHouses(Canvas& canvas, const View& view, int side, double distance,
                const std::vector<Tile>& facades, base::RandomSource& random) {
   std::vector<double> ends = {random.uniform(2.5, 7.0)};
@@ -80,7 +80,7 @@ void addHouses(Canvas& canvas, const View& view, int side, double distance,
     wall.repeats = std::max(0.5, (far - near) / random.uniform(7.0, 12.0));
     wall.light = side == view.sun ? between(random, 140, 200) : between(random, 220, 300);
     if (wall.right > wall.left + 1.0) fillWall(canvas, wall, facade);
-    // The side that is turned to the camera.
+    // The face that is turned to the camera.
     Wall gable = wall;
     const double deep = 9.0 * front.metre;
     gable.left = side < 0 ? front.foot.x - deep : front.foot.x;
@@ -94,7 +94,7 @@ void addHouses(Canvas& canvas, const View& view, int side, double distance,
   }
 }
 
-/// Blocks of flats at the horizon.
+/// Adds blocks of flats on the horizon.
 void addSkyline(Canvas& canvas, const View& view, const Tile& facade, base::RandomSource& random) {
   for (int i = between(random, 4, 14); i > 0; --i) {
     const double ahead = random.uniform(90.0, 300.0);
@@ -110,7 +110,8 @@ void addSkyline(Canvas& canvas, const View& view, const Tile& facade, base::Rand
   }
 }
 
-void addRidges(Canvas& canvas, const View& view, const Stuffs& stuffs, base::RandomSource& random) {
+void addRidges(Canvas& canvas, const View& view, const SceneMaterials& chosen,
+               base::RandomSource& random) {
   const int count = between(random, 1, 3);
   for (int i = 0; i < count; ++i) {
     Ridge ridge;
@@ -119,7 +120,7 @@ void addRidges(Canvas& canvas, const View& view, const Stuffs& stuffs, base::Ran
     ridge.height = canvas.rows * (is_wood ? random.uniform(0.02, 0.2) : random.uniform(0.03, 0.25));
     ridge.waves = is_wood ? Waves::kMedium : Waves::kBroad;
     ridge.zoom = is_wood ? between(random, 40, 130) : between(random, 20, 60);
-    Paint paint = paintOf(is_wood ? stuffs.crowns.front() : stuffs.crowns.back(), random, 2.0);
+    Paint paint = paintOf(is_wood ? chosen.crowns.front() : chosen.crowns.back(), random, 2.0);
     paint.haze = view.ground.haze;
     paint.haze_share = std::max(0, 190 - 80 * i - between(random, 0, 50));
     paint.light = between(random, 120, 240);
@@ -127,16 +128,16 @@ void addRidges(Canvas& canvas, const View& view, const Stuffs& stuffs, base::Ran
   }
 }
 
-using AddThing = void (*)(Canvas&, const Standing&, const Stuffs&, base::RandomSource&);
+using AddThing = void (*)(Canvas&, const Standing&, const SceneMaterials&, base::RandomSource&);
 
-/// Things at both sides of a way, the far ones first.
-void addThings(Canvas& canvas, const View& view, const Stuffs& stuffs,
+/// Adds things on both sides of a way, the far ones first.
+void addThings(Canvas& canvas, const View& view, const SceneMaterials& chosen,
                const std::vector<AddThing>& kinds, int count, double least_ahead,
                base::RandomSource& random) {
   std::vector<double> distances;
   for (int i = 0; i < count; ++i) {
     const double share = random.unit();
-    distances.push_back(least_ahead / (1.0 - 0.95 * share));  // as many in each part of the view
+    distances.push_back(least_ahead / (1.0 - 0.95 * share));  // evenly spread over the image rows
   }
   std::sort(distances.rbegin(), distances.rend());
   for (const double ahead : distances) {
@@ -151,7 +152,7 @@ void addThings(Canvas& canvas, const View& view, const Stuffs& stuffs,
     }
     const AddThing add =
         kinds[static_cast<std::size_t>(below(random, static_cast<int>(kinds.size())))];
-    add(canvas, view.at(canvas, across, ahead), stuffs, random);
+    add(canvas, view.at(canvas, across, ahead), chosen, random);
   }
 }
 
@@ -183,7 +184,7 @@ void markRoad(Ground& ground, base::RandomSource& random) {
 
 void drawStreet(Canvas& canvas, base::RandomSource& random) {
   View view = drawView(canvas, random);
-  const Stuffs stuffs = drawStuffs(random);
+  const SceneMaterials chosen = drawSceneMaterials(random);
   const Tile road = tileOf(asphalt(random, 8), random);
   const Tile pavement = tileOf(chance(random, 0.4)   ? tiles(random, 7)
                                : chance(random, 0.5) ? concrete(random, 7)
@@ -199,7 +200,7 @@ void drawStreet(Canvas& canvas, base::RandomSource& random) {
   view.ground.slant = random.uniform(-0.25, 0.25);
   markRoad(view.ground, random);
   fillSky(canvas, view.sky, static_cast<int>(view.ground.horizon) + 2, random);
-  if (chance(random, 0.6)) addRidges(canvas, view, stuffs, random);
+  if (chance(random, 0.6)) addRidges(canvas, view, chosen, random);
   if (chance(random, 0.6)) addSkyline(canvas, view, facades.front(), random);
   fillGround(canvas, view.ground, random);
   for (const int side : {-1, 1}) {
@@ -208,14 +209,14 @@ void drawStreet(Canvas& canvas, base::RandomSource& random) {
     addHouses(canvas, view, side, distance, facades, random);
   }
   if (chance(random, 0.3)) soften(canvas, between(random, 1, 4));
-  addThings(canvas, view, stuffs,
+  addThings(canvas, view, chosen,
             {addTree, addCar, addCar, addPole, addPole, addThing, addThing, addBush, addFence},
             between(random, 12, 36), random.uniform(4.0, 8.0), random);
 }
 
 void drawCountry(Canvas& canvas, base::RandomSource& random) {
   View view = drawView(canvas, random);
-  const Stuffs stuffs = drawStuffs(random);
+  const SceneMaterials chosen = drawSceneMaterials(random);
   const double kind = random.unit();
   const Tile meadow = tileOf(kind < 0.55   ? grass(random, 8)
                              : kind < 0.75 ? rock(random, 8)
@@ -231,17 +232,17 @@ void drawCountry(Canvas& canvas, base::RandomSource& random) {
   view.ground.curve = random.uniform(-0.006, 0.006);
   if (view.ground.half_width > 2.2) markRoad(view.ground, random);
   fillSky(canvas, view.sky, static_cast<int>(view.ground.horizon) + 2, random);
-  addRidges(canvas, view, stuffs, random);
+  addRidges(canvas, view, chosen, random);
   fillGround(canvas, view.ground, random);
   std::vector<AddThing> kinds = {addTree, addTree, addBush, addBush, addPole, addFence, addThing};
   if (chance(random, 0.4)) kinds.push_back(addCar);
   if (chance(random, 0.3)) soften(canvas, between(random, 1, 4));
-  addThings(canvas, view, stuffs, kinds, between(random, 6, 30), random.uniform(5.0, 10.0), random);
+  addThings(canvas, view, chosen, kinds, between(random, 6, 30), random.uniform(5.0, 10.0), random);
 }
 
 void drawForest(Canvas& canvas, base::RandomSource& random) {
   View view = drawView(canvas, random);
-  const Stuffs stuffs = drawStuffs(random);
+  const SceneMaterials chosen = drawSceneMaterials(random);
   const Tile ground = tileOf(chance(random, 0.5) ? foliage(random, 8) : grass(random, 8), random);
   const Tile way = tileOf(chance(random, 0.5) ? rock(random, 7) : gravel(random, 7), random);
   view.ground.tile = &ground;
@@ -251,13 +252,13 @@ void drawForest(Canvas& canvas, base::RandomSource& random) {
   view.ground.slant = random.uniform(-0.3, 0.3);
   view.ground.curve = random.uniform(-0.01, 0.01);
   fillSky(canvas, view.sky, static_cast<int>(view.ground.horizon) + 2, random);
-  for (int i = 0; i < 3; ++i) {  // leaves before the sky
+  for (int i = 0; i < 3; ++i) {  // foliage in front of the sky
     Ridge ridge;
     ridge.foot = view.ground.horizon + 2.0;
     ridge.height = canvas.rows * random.uniform(0.15, 1.1);
     ridge.waves = Waves::kMedium;
     ridge.zoom = between(random, 30, 100);
-    Paint paint = paintOf(oneOf(stuffs.crowns, random), random, random.uniform(0.8, 2.0));
+    Paint paint = paintOf(oneOf(chosen.crowns, random), random, random.uniform(0.8, 2.0));
     paint.haze = view.ground.haze;
     paint.haze_share = std::max(0, 150 - 60 * i);
     paint.light = between(random, 90, 220);
@@ -265,7 +266,7 @@ void drawForest(Canvas& canvas, base::RandomSource& random) {
   }
   fillGround(canvas, view.ground, random);
   if (chance(random, 0.5)) soften(canvas, between(random, 1, 4));
-  addThings(canvas, view, stuffs, {addTree, addTree, addTree, addTree, addBush, addBush},
+  addThings(canvas, view, chosen, {addTree, addTree, addTree, addTree, addBush, addBush},
             between(random, 8, 18), random.uniform(4.0, 7.0), random);
 }
 

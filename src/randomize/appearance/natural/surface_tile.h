@@ -13,50 +13,50 @@
 
 namespace synthetic_dataset::randomize::natural {
 
-/// A square of pixels that repeats; its side is a power of two.
+/// A square of pixels that repeats; the side is a power of two.
 struct Tile {
-  /// Of a finest level: the others are means of two by two.
+  /// Makes all levels from the finest one: each is the mean of two by two pixels.
   Tile(int bits, std::vector<cv::Vec4b> pixels);
 
-  /// Of one colour.
+  /// Makes a tile of a single colour.
   explicit Tile(const Colour& colour) : Tile(0, {pixelOf(colour)}) {}
 
-  int bits;                                    ///< of the finest level's side
-  std::vector<std::vector<cv::Vec4b>> levels;  ///< each half as wide as the one before
+  int bits;                                    ///< log2 of the finest level's side
+  std::vector<std::vector<cv::Vec4b>> levels;  ///< each half as wide as the previous one
 };
 
 /// A surface that repeats, before it is lit.
 struct Surface {
-  /// @param side_bits  of its side: 7 to 9
+  /// @param side_bits  log2 of the side: 7 to 9
   explicit Surface(int side_bits)
       : bits(side_bits),
         side(1 << side_bits),
         tone(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)),
         height(tone.size()) {}
 
-  /// Beyond the border is the other side.
+  /// Wraps around at the borders.
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(((y & (side - 1)) << bits) | (x & (side - 1)));
   }
 
-  /// By how many places the noise goes on with a pixel, so that it repeats as the surface does.
+  /// The number of noise places per pixel, so that the noise repeats together with the surface.
   [[nodiscard]] int noiseStep() const { return NoiseTable::kSide >> bits; }
 
   int bits;
   int side;
-  std::vector<std::uint8_t> tone;    ///< which colour of the palette
-  std::vector<std::uint8_t> height;  ///< over the ground
+  std::vector<std::uint8_t> tone;    ///< index in the palette
+  std::vector<std::uint8_t> height;  ///< above the ground
   Palette palette{};
-  int bump = 16;    ///< how much slopes are seen
-  int stains = 20;  ///< how much it is lighter and darker from place to place
+  int bump = 16;    ///< how visible slopes are
+  int stains = 20;  ///< variation in brightness from place to place
 };
 
-/// A number as a tone or a height: the nearest that there is.
+/// Clamps a number to the range of a tone or a height.
 [[nodiscard]] inline std::uint8_t asByte(int number) {
   return static_cast<std::uint8_t>(std::clamp(number, 0, 255));
 }
 
-/// Calls `set(x, y, tone, height)` with references to the latter two of each pixel.
+/// Calls `set(x, y, tone, height)` for each pixel, with references to its tone and height.
 template <typename Set>
 void forEachPixel(Surface& surface, const Set& set) {
   for (int y = 0; y < surface.side; ++y) {
@@ -67,13 +67,13 @@ void forEachPixel(Surface& surface, const Set& set) {
   }
 }
 
-/// Noise by a surface's pixels, which repeats as that does.
+/// Noise indexed by a surface's pixels, repeating together with it.
 class SurfaceNoise {
  public:
   SurfaceNoise(const Surface& surface, Waves waves)
       : table_(noise(waves)), step_(surface.noiseStep()) {}
 
-  /// @param further_x, further_y  by how many places of the noise
+  /// @param further_x, further_y  an offset, in places of the noise
   [[nodiscard]] int at(int x, int y, int further_x = 0, int further_y = 0) const {
     return table_.at(x * step_ + further_x, y * step_ + further_y);
   }
@@ -83,7 +83,7 @@ class SurfaceNoise {
   int step_;
 };
 
-/// A surface's pixels: lit from a side, and stained.
+/// The pixels of a surface: lit from one side, and stained.
 [[nodiscard]] std::vector<cv::Vec4b> litPixels(const Surface& surface, base::RandomSource& random);
 
 }  // namespace synthetic_dataset::randomize::natural

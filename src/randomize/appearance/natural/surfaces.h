@@ -3,7 +3,7 @@
 #include "base/random/random_source.h"
 #include "randomize/appearance/natural/surface_tile.h"
 
-/// Surfaces of materials, each of many looks. All repeat without a seam.
+/// Surfaces of various materials, each with many possible looks. All tile seamlessly.
 namespace synthetic_dataset::randomize::natural {
 
 // Laid or cast: surfaces_built.cpp.
@@ -20,14 +20,14 @@ namespace synthetic_dataset::randomize::natural {
 [[nodiscard]] Surface rock(base::RandomSource& random, int bits);
 [[nodiscard]] Surface bark(base::RandomSource& random, int bits);
 
-// Made by people: surfaces_made.cpp.
+// Manufactured: surfaces_made.cpp.
 [[nodiscard]] Surface wood(base::RandomSource& random, int bits);
 [[nodiscard]] Surface cloth(base::RandomSource& random, int bits);
 [[nodiscard]] Surface metal(base::RandomSource& random, int bits);
 [[nodiscard]] Surface print(base::RandomSource& random, int bits);
 [[nodiscard]] Surface leaves(base::RandomSource& random, int bits);
 
-/// What scenes are made of.
+/// Turns a surface into a tile, as used by scenes.
 [[nodiscard]] inline Tile tileOf(const Surface& surface, base::RandomSource& random) {
   return {surface.bits, litPixels(surface, random)};
 }

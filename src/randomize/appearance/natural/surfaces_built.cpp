@@ -9,13 +9,13 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// How what is laid looks: its tones, from 64; joints have those below.
+/// The look of laid pieces: their tones start at 64; lower ones are for joints.
 struct Pieces {
   int spread = 60;               ///< from piece to piece
   int noise = 60;                ///< within a piece
-  int bevel = 3;                 ///< how wide the rounded edge is [px]
-  int slope = 38;                ///< its height for each pixel
-  bool has_two_colours = false;  ///< as a chessboard: tones from 160 are the second
+  int bevel = 3;                 ///< width of the rounded edge [px]
+  int slope = 38;                ///< gain in height for each pixel
+  bool has_two_colours = false;  ///< at random: tones from 160 are the second
 };
 
 void lay(Surface& surface, const Laying& laying, const Pieces& pieces, Waves waves,
@@ -30,7 +30,7 @@ void lay(Surface& surface, const Laying& laying, const Pieces& pieces, Waves wav
       height = asByte(40 + table.at(x, y) / 8);
       return;
     }
-    // Each piece shows another part of the noise.
+    // Each piece shows a different part of the noise.
     const int offset = static_cast<int>(place.hash & 255U);
     const int rough = table.at(x, y, shift_x + offset, 2 * offset);
     const int own = static_cast<int>((place.hash >> 8U) & 255U) - 128;
@@ -43,7 +43,7 @@ void lay(Surface& surface, const Laying& laying, const Pieces& pieces, Waves wav
   });
 }
 
-/// Noise alone, about a tone.
+/// Fills a surface with noise around a tone.
 void roughen(Surface& surface, base::RandomSource& random, Waves waves, int tone, int spread) {
   const SurfaceNoise table(surface, waves);
   const SurfaceNoise grain(surface, Waves::kGrain);
@@ -121,7 +121,7 @@ Surface concrete(base::RandomSource& random, int bits) {
   for (int cracks = chance(random, 0.4) ? between(random, 1, 4) : 0; cracks > 0; --cracks) {
     addCrack(surface, random, between(random, surface.side / 4, 2 * surface.side));
   }
-  if (chance(random, 0.4)) {  // the joints of slabs
+  if (chance(random, 0.4)) {  // joints between slabs
     Laying laying;
     laying.rows = between(random, 1, 3);
     laying.columns = between(random, 1, 3);
@@ -166,7 +166,7 @@ Surface plaster(base::RandomSource& random, int bits) {
   roughen(surface, random, chance(random, 0.5) ? Waves::kBroad : Waves::kFine, 150,
           between(random, 2, 24));
   addShades(surface.palette, 0, 255, drawAnyColour(random), between(random, 40, 120));
-  if (chance(random, 0.25)) {  // paint that has come off in places
+  if (chance(random, 0.25)) {  // paint that has flaked off in places
     const SurfaceNoise table(surface, Waves::kBroad);
     const int shift = below(random, NoiseTable::kSide);
     const int level = between(random, 50, 90);

@@ -9,7 +9,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// Noise below what grows or lies on it.
+/// Adds noise for the soil below whatever grows or lies on it.
 void soilUnder(Surface& surface, base::RandomSource& random, int tone) {
   const SurfaceNoise rough(surface, Waves::kMedium);
   const int shift = below(random, NoiseTable::kSide);
@@ -74,7 +74,7 @@ Surface foliage(base::RandomSource& random, int bits) {
     leaf.radius = size * random.uniform(0.5, 1.1);
     leaf.flat = flat;
     drawTurn(random, leaf.turn_x, leaf.turn_y);
-    leaf.tone = 40 + 120 * i / count + below(random, 90);  // those above have more light
+    leaf.tone = 40 + 120 * i / count + below(random, 90);  // leaves on top receive more light
     leaf.shade = 30;
     addStone(surface, leaf);
   }
@@ -91,7 +91,7 @@ Surface foliage(base::RandomSource& random, int bits) {
 Surface gravel(base::RandomSource& random, int bits) {
   Surface surface(bits);
   soilUnder(surface, random, 50);
-  // Sizes by a power law, as of what is broken again and again.
+  // Power-law sizes, as for things that are broken again and again.
   const double least = surface.side / random.uniform(90.0, 180.0);
   const double most = least * random.uniform(2.5, 12.0);
   const double ends = 1.0 - least * least / (most * most);

@@ -13,7 +13,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// Stripes of a cloth: for each place of its side one of few tones.
+/// Stripes of a cloth: one of a few tones for each place along its side.
 std::vector<int> drawBands(base::RandomSource& random, int side, int tones) {
   const int period = side >> between(random, 0, 3);
   std::vector<int> band;
@@ -27,12 +27,12 @@ std::vector<int> drawBands(base::RandomSource& random, int side, int tones) {
   return bands;
 }
 
-/// A line of text: words of marks that are as wide as letters.
+/// Adds a line of text: words of marks as wide as letters.
 void addText(Surface& surface, base::RandomSource& random, const Block& line, int tone) {
   const int letter = std::max(2, line.height * 2 / 3);
   int x = line.x;
   while (x + letter <= line.x + line.width) {
-    if (chance(random, 0.16)) {  // between words
+    if (chance(random, 0.16)) {  // gap between words
       x += letter;
       continue;
     }
@@ -80,7 +80,7 @@ void addLogo(Surface& surface, base::RandomSource& random, const Block& area) {
   }
 }
 
-/// A photograph on paper: smooth, and of few colours.
+/// Adds a photograph on paper: smooth, with few colours.
 void addPicture(Surface& surface, base::RandomSource& random, const Block& area) {
   const NoiseTable& table = noise(Waves::kBroad);
   const int shift = below(random, NoiseTable::kSide);
@@ -134,7 +134,7 @@ Surface cloth(base::RandomSource& random, int bits) {
   const std::vector<int> along = chance(random, 0.5)
                                      ? drawBands(random, surface.side, tones)
                                      : std::vector<int>(static_cast<std::size_t>(surface.side), 0);
-  const int thread = between(random, 1, 3);  // its width is a power of two
+  const int thread = between(random, 1, 3);  // log2 of its width [px]
   const SurfaceNoise folds(surface, Waves::kBroad);
   const int shift = below(random, NoiseTable::kSide);
   const int depth = between(random, 0, 3);
@@ -236,8 +236,8 @@ Surface print(base::RandomSource& random, int bits) {
   return surface;
 }
 
-/// Dead leaves (Lee, Mumford and Huang 2001): shapes that hide one another, of which there are the
-/// more the smaller they are, by the third power of the size.
+/// Dead leaves model (Lee, Mumford and Huang 2001): shapes that occlude one another, whose sizes
+/// follow a power law with the third power.
 Surface leaves(base::RandomSource& random, int bits) {
   Surface surface(bits);
   const double least = surface.side / 100.0;

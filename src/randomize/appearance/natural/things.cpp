@@ -39,23 +39,23 @@ const Tile& oneOf(const std::vector<Tile>& tiles, base::RandomSource& random) {
   return tiles[static_cast<std::size_t>(below(random, static_cast<int>(tiles.size())))];
 }
 
-Stuffs drawStuffs(base::RandomSource& random, Whereabouts where) {
+SceneMaterials drawSceneMaterials(base::RandomSource& random, Whereabouts where) {
   using Make = Surface (*)(base::RandomSource&, int);
   constexpr std::array<Make, 12> kAny = {brick, tiles, concrete, plaster, plaster, metal,
                                          metal, wood,  cloth,    cloth,   rock,    leaves};
   constexpr std::array<Make, 12> kHousehold = {plaster, plaster, plaster, plaster, metal, wood,
                                                wood,    wood,    cloth,   cloth,   tiles, concrete};
   const std::array<Make, 12>& makers = where == Whereabouts::kIndoors ? kHousehold : kAny;
-  Stuffs stuffs;
-  for (int i = 0; i < 2; ++i) stuffs.crowns.push_back(tileOf(foliage(random, 6), random));
-  stuffs.trunks.push_back(tileOf(bark(random, 6), random));
+  SceneMaterials chosen;
+  for (int i = 0; i < 2; ++i) chosen.crowns.push_back(tileOf(foliage(random, 6), random));
+  chosen.trunks.push_back(tileOf(bark(random, 6), random));
   for (int i = 0; i < 5; ++i) {
     const Make make =
         makers[static_cast<std::size_t>(below(random, static_cast<int>(makers.size())))];
-    stuffs.plain.push_back(tileOf(make(random, 6), random));
+    chosen.plain.push_back(tileOf(make(random, 6), random));
   }
-  stuffs.printed.push_back(tileOf(print(random, 7), random));
-  return stuffs;
+  chosen.printed.push_back(tileOf(print(random, 7), random));
+  return chosen;
 }
 
 void addShadow(Canvas& canvas, const Standing& at, double wide) {
@@ -63,12 +63,12 @@ void addShadow(Canvas& canvas, const Standing& at, double wide) {
           std::max(1.5, 0.22 * wide), {18, 16, 15}, 190 * (256 - at.haze_share) / 256);
 }
 
-void addThing(Canvas& canvas, const Standing& at, const Stuffs& stuffs,
+void addThing(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
               base::RandomSource& random) {
   const double wide = at.metre * random.uniform(0.15, 0.7);
   const double high = at.metre * random.uniform(0.3, 1.5);
   const Tile& tile =
-      chance(random, 0.25) ? oneOf(stuffs.printed, random) : oneOf(stuffs.plain, random);
+      chance(random, 0.25) ? oneOf(chosen.printed, random) : oneOf(chosen.plain, random);
   Paint paint = standingPaint(tile, random, std::clamp(30.0 / wide, 0.4, 6.0), at);
   addShadow(canvas, at, 1.2 * wide);
   const double draw = random.unit();
@@ -120,8 +120,8 @@ void fillShape(Canvas& canvas, const Point& middle, double radius, const Paint& 
   const int corners = between(random, 3, 9);
   std::vector<Point> points;
   Point turn = drawnTurn(random);
-  // The corners of a regular polygon, each moved in or out: turned by the angle between two,
-  // whose cosine and sine are tabled.
+  // The corners of a regular polygon, each moved in or out. Each direction is the previous one
+  // turned by a constant angle, whose cosine and sine are tabulated.
   constexpr std::array<Point, 7> kSteps = {{{-0.5, 0.8660254},
                                             {0.0, 1.0},
                                             {0.3090170, 0.9510565},

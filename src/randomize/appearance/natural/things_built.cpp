@@ -10,7 +10,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// Shared by all windows of a facade.
+/// Common to all windows of a facade.
 struct Windows {
   Tile frame;
   Tile ledge;
@@ -18,7 +18,7 @@ struct Windows {
   bool has_bars;
 };
 
-/// A window, from corner to corner.
+/// Draws a window between two opposite corners.
 void addWindow(Canvas& canvas, const Windows& all, const Point& from, const Point& to,
                bool has_ledge, base::RandomSource& random) {
   Paint plain;
@@ -94,7 +94,8 @@ Tile drawFacade(base::RandomSource& random) {
   return {kBits, std::vector<cv::Vec4b>(canvas[0], canvas[0] + canvas.total())};
 }
 
-void addPole(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random) {
+void addPole(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
+             base::RandomSource& random) {
   const double height = at.metre * random.uniform(2.2, 7.0);
   const double width = std::max(1.0, at.metre * random.uniform(0.05, 0.16));
   const Tile colour(drawColour(random, chance(random, 0.6) ? Hues::kGrey : Hues::kDark));
@@ -117,7 +118,7 @@ void addPole(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::Ran
                                      : drawColour(random, Hues::kCream));
   Paint edge = colourPaint(rim, at);
   Paint face =
-      standingPaint(oneOf(stuffs.printed, random), random, std::clamp(40.0 / size, 0.5, 8.0), at);
+      standingPaint(oneOf(chosen.printed, random), random, std::clamp(40.0 / size, 0.5, 8.0), at);
   const double kind = random.unit();
   if (kind < 0.35) {
     fillEllipse(canvas, middle, size, size, edge);
@@ -139,9 +140,10 @@ void addPole(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::Ran
   }
 }
 
-void addCar(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random) {
+void addCar(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
+            base::RandomSource& random) {
   const double m = at.metre;
-  const double half = m * random.uniform(0.85, 2.2);  // from behind, or from the side
+  const double half = m * random.uniform(0.85, 2.2);  // seen from behind or from the side
   const bool is_side = half > 1.4 * m;
   const double height = m * random.uniform(1.35, is_side ? 1.7 : 2.3);
   const double belt = height * random.uniform(0.5, 0.62);
@@ -198,12 +200,12 @@ void addCar(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::Rand
     fillEllipse(canvas, {foot.x + side * 0.75 * half, foot.y - 0.75 * belt}, 0.16 * m, 0.1 * m,
                 light);
   }
-  Paint plate = standingPaint(oneOf(stuffs.printed, random), random, 3.0, at);
+  Paint plate = standingPaint(oneOf(chosen.printed, random), random, 3.0, at);
   fillRectangle(canvas, {foot.x - 0.26 * m, foot.y - 0.55 * belt},
                 {foot.x + 0.26 * m, foot.y - 0.4 * belt}, plate);
 }
 
-void addFence(Canvas& canvas, const Standing& at, const Stuffs& stuffs,
+void addFence(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
               base::RandomSource& random) {
   const double m = at.metre;
   const double height = m * random.uniform(0.6, 1.8);
@@ -211,7 +213,7 @@ void addFence(Canvas& canvas, const Standing& at, const Stuffs& stuffs,
       m * (chance(random, 0.5) ? random.uniform(0.1, 0.3) : random.uniform(1.0, 2.5));
   const double width = std::max(1.0, std::min(0.6 * step, m * random.uniform(0.03, 0.14)));
   Paint paint =
-      standingPaint(oneOf(stuffs.plain, random), random, std::clamp(20.0 / m, 0.5, 4.0), at);
+      standingPaint(oneOf(chosen.plain, random), random, std::clamp(20.0 / m, 0.5, 4.0), at);
   const double right = at.foot.x + m * random.uniform(3.0, 14.0);
   for (int i = between(random, 1, 3); i > 0; --i) {
     const double y = at.foot.y - height * i / 3.3;

@@ -7,7 +7,7 @@
 namespace synthetic_dataset::randomize::natural {
 namespace {
 
-/// A branch and those that grow from it.
+/// Draws a branch and those that grow from it.
 void addBranches(Canvas& canvas, const Point& from, const Point& way, double width, int depth,
                  const Paint& paint, base::RandomSource& random) {
   const Point to{from.x + way.x, from.y + way.y};
@@ -22,9 +22,9 @@ void addBranches(Canvas& canvas, const Point& from, const Point& way, double wid
   }
 }
 
-void addConifer(Canvas& canvas, const Standing& at, double height, const Stuffs& stuffs,
+void addConifer(Canvas& canvas, const Standing& at, double height, const SceneMaterials& chosen,
                 base::RandomSource& random) {
-  const Tile& needles = oneOf(stuffs.crowns, random);
+  const Tile& needles = oneOf(chosen.crowns, random);
   const double wide = height * random.uniform(0.16, 0.28);
   for (int i = 0; i < 7; ++i) {
     const double share = i / 7.0;
@@ -43,9 +43,9 @@ void addConifer(Canvas& canvas, const Standing& at, double height, const Stuffs&
   }
 }
 
-void addCrown(Canvas& canvas, const Standing& at, double height, const Stuffs& stuffs,
+void addCrown(Canvas& canvas, const Standing& at, double height, const SceneMaterials& chosen,
               base::RandomSource& random) {
-  const Tile& leaves = oneOf(stuffs.crowns, random);
+  const Tile& leaves = oneOf(chosen.crowns, random);
   const double wide = height * random.uniform(0.22, 0.45);
   const double high = height * random.uniform(0.25, 0.36);
   const double middle_y = at.foot.y - height + high;
@@ -77,15 +77,16 @@ void addCrown(Canvas& canvas, const Standing& at, double height, const Stuffs& s
 
 }  // namespace
 
-void addTree(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random) {
+void addTree(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
+             base::RandomSource& random) {
   const double height = at.metre * random.uniform(3.0, 11.0);
   addShadow(canvas, at, 0.3 * height);
   const double draw = random.unit();
   if (draw < 0.2) {
-    addConifer(canvas, at, height, stuffs, random);
+    addConifer(canvas, at, height, chosen, random);
     return;
   }
-  Paint paint = standingPaint(oneOf(stuffs.trunks, random), random, 1.0, at);
+  Paint paint = standingPaint(oneOf(chosen.trunks, random), random, 1.0, at);
   paint.light = between(random, 130, 230);
   paint.round = 150;
   const double width = std::max(1.2, height * random.uniform(0.03, 0.06));
@@ -98,11 +99,12 @@ void addTree(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::Ran
   fillLine(canvas, at.foot,
            {at.foot.x + random.uniform(-0.05, 0.05) * height, at.foot.y - 0.6 * height}, width,
            0.6 * width, paint);
-  addCrown(canvas, at, height, stuffs, random);
+  addCrown(canvas, at, height, chosen, random);
 }
 
-void addBush(Canvas& canvas, const Standing& at, const Stuffs& stuffs, base::RandomSource& random) {
-  const Tile& leaves = oneOf(stuffs.crowns, random);
+void addBush(Canvas& canvas, const Standing& at, const SceneMaterials& chosen,
+             base::RandomSource& random) {
+  const Tile& leaves = oneOf(chosen.crowns, random);
   const double size = at.metre * random.uniform(0.3, 1.2);
   addShadow(canvas, at, 1.1 * size);
   for (int i = between(random, 1, 4); i > 0; --i) {

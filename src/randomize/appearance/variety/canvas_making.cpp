@@ -24,7 +24,7 @@ bool hasTexture(const world::Surface& surface) {
   return surface.material.texture && !surface.mesh->texture_coordinates.empty();
 }
 
-/// Each pixel the mean of two by two.
+/// Halves a picture: each pixel is the mean of two by two.
 cv::Mat halved(const cv::Mat& pixels) {
   cv::Mat result(std::max(pixels.rows / 2, 1), std::max(pixels.cols / 2, 1), CV_8UC4);
   for (int row = 0; row < result.rows; ++row) {
@@ -50,7 +50,7 @@ std::shared_ptr<const world::Texture> textureOf(const std::string& file, cv::Mat
   return texture;
 }
 
-/// A texture's colours already have the material's, whose own is white then.
+/// Sets the material's own colour to white, since the texture already includes it.
 void whiten(world::Material& material) {
   for (int i = 0; i < 3; ++i) {
     constexpr float kDark = 0.02F;
@@ -65,7 +65,7 @@ void whiten(world::Material& material) {
 struct TextureGroup {
   std::shared_ptr<const world::Texture> texture;
   Eigen::Vector4f diffuse;
-  std::vector<std::size_t> surfaces;  ///< of the parts
+  std::vector<std::size_t> surfaces;  ///< indices in the parts' surfaces
 };
 
 std::vector<TextureGroup> groupsOf(const world::Model& model, const ModelParts& parts) {
@@ -85,7 +85,7 @@ std::vector<TextureGroup> groupsOf(const world::Model& model, const ModelParts& 
   return groups;
 }
 
-/// Whether each texel is shown at one place alone, nearly: then it can be painted by its place.
+/// Whether nearly every texel is shown at one place only, so that it can be painted by its place.
 bool hasOwnTexels(const world::Model& model, const ModelParts& parts, const TextureGroup& group) {
   constexpr double kSamePlace = 0.03;   // of the model's size
   constexpr double kMostShared = 0.15;  // of the texels
@@ -129,7 +129,8 @@ bool shinesInItsColours(const world::Material& material) {
          material.emissive_map->file == material.texture->file;
 }
 
-/// Other maps lie by the same coordinates, and holes are cut by the texture itself.
+/// Whether new texture coordinates are possible: other maps use the same coordinates, and holes are
+/// cut by the texture itself.
 bool canBeUnwrapped(const world::Surface& surface) {
   const world::Material& material = surface.material;
   return !material.normal_map && !material.roughness_map && !material.metalness_map &&
@@ -137,7 +138,7 @@ bool canBeUnwrapped(const world::Surface& surface) {
          (!material.texture || base::isOpaque(material.texture->pixels));
 }
 
-/// As fine as its share of the model wants; of a surface that has a picture, finer.
+/// The side of a surface's new texture [px], by its share of the model; finer if it has a picture.
 int sideFor(const world::Surface& surface, double share) {
   const double wanted = (hasTexture(surface) ? 1024.0 : 512.0) * std::sqrt(share);
   int side = 64;
@@ -145,7 +146,7 @@ int sideFor(const world::Surface& surface, double share) {
   return side;
 }
 
-/// Unwraps surfaces; those that are alike share what is made.
+/// Unwraps surfaces; identical ones share the result.
 class Unwrapping {
  public:
   Unwrapping(world::Model& model, const ModelParts& parts) : model_(model), parts_(parts) {}
@@ -176,7 +177,7 @@ class Unwrapping {
  private:
   struct Made {
     world::Surface from;
-    std::shared_ptr<const world::Mesh> mesh;  ///< none: it could not be unwrapped
+    std::shared_ptr<const world::Mesh> mesh;  ///< null if it could not be unwrapped
     std::shared_ptr<const world::Texture> texture;
   };
 
@@ -195,7 +196,7 @@ class Unwrapping {
   std::vector<Made> made_;
 };
 
-/// Brings the colour of a material into its texture, and that to a size that is painted quickly.
+/// Bakes a material's colour into its texture, which is shrunk to a size that is quick to paint.
 void bringColourIn(world::Model& model, const ModelParts& parts, const TextureGroup& group) {
   cv::Mat pixels = group.texture->pixels;
   while (std::max(pixels.rows, pixels.cols) > kLargestSide) pixels = halved(pixels);

@@ -7,16 +7,16 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Whether a surface can be painted anew: nothing is seen through it or laid over it.
+/// Whether a surface can be repainted: it is not transparent and has no overlay.
 [[nodiscard]] bool isPaintable(const world::Surface& surface);
 
-/// Gives a surface another texture of the same things. Where it shines in its texture's colours, as
-/// some mesh files have it, it shines in those of the new one.
+/// Replaces a material's texture with another one of the same things. If it glows in its texture's
+/// colours, as in some mesh files, it then glows in those of the new one.
 void setTexture(const std::shared_ptr<const world::Texture>& texture, world::Material& material);
 
-/// Gives the large surfaces of a model textures that can be painted place by place, as far as that
-/// is possible: of those that show the same texels in several places, and of those in one colour.
-/// What they look like stays. Pictures are no larger than 1024 pixels a side afterwards.
+/// Gives the large surfaces of a model textures that can be painted place by place, as far as
+/// possible: those that show the same texels in several places, and those in a single colour. Their
+/// look does not change. Afterwards, no picture is larger than 1024 pixels a side.
 void makeCanvases(world::Model& model);
 
 }  // namespace synthetic_dataset::randomize

@@ -5,7 +5,7 @@
 
 namespace synthetic_dataset::randomize {
 
-HueColour hueColour(const Eigen::Vector3f& colour) {
+HueColour toHue(const Eigen::Vector3f& colour) {
   Eigen::Index strongest = 0;
   const float high = colour.maxCoeff(&strongest);
   const float range = high - colour.minCoeff();
@@ -16,7 +16,7 @@ HueColour hueColour(const Eigen::Vector3f& colour) {
   return {hue - std::floor(hue), range / high, high};
 }
 
-Eigen::Vector3f ofHue(const HueColour& colour) {
+Eigen::Vector3f toRgb(const HueColour& colour) {
   const float saturation = std::clamp(colour.saturation, 0.0F, 1.0F);
   const float value = std::clamp(colour.value, 0.0F, 1.0F);
   Eigen::Vector3f result;

@@ -12,9 +12,9 @@ struct HueColour {
 };
 
 /// @param colour  red, green, blue, 0 to 1
-[[nodiscard]] HueColour hueColour(const Eigen::Vector3f& colour);
+[[nodiscard]] HueColour toHue(const Eigen::Vector3f& colour);
 
 /// @param colour  saturation and value are clamped to 0 .. 1
-[[nodiscard]] Eigen::Vector3f ofHue(const HueColour& colour);
+[[nodiscard]] Eigen::Vector3f toRgb(const HueColour& colour);
 
 }  // namespace synthetic_dataset::randomize

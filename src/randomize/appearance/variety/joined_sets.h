@@ -7,7 +7,7 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Sets of things that are joined two by two (Galler and Fischer 1964).
+/// Disjoint sets that are merged two at a time (Galler and Fischer 1964).
 class JoinedSets {
  public:
   explicit JoinedSets(std::size_t count) : parent_(count) {

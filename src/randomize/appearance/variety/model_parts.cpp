@@ -11,7 +11,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// Joins vertices at the same place: meshes have several where normals or textures differ.
+/// Joins vertices at the same place: meshes repeat them where normals or textures differ.
 void joinPlaces(const std::vector<const Eigen::Vector3d*>& places, double tolerance,
                 JoinedSets& sets) {
   using Cell = std::array<std::int64_t, 3>;

@@ -18,7 +18,7 @@ Eigen::Vector3f colourOf(const cv::Vec4b& pixel) {
   return Eigen::Vector3f(pixel[2], pixel[1], pixel[0]) / 255.0F;
 }
 
-/// What is remembered of each colour, to the 64th part of a channel.
+/// Caches a result for each colour, with 64 levels per channel.
 template <class Result>
 class ByColour {
  public:
@@ -38,7 +38,7 @@ class ByColour {
   std::vector<std::optional<Result>> results_{1U << 18U};
 };
 
-/// Continues what is known of texels a little beyond the triangles' edges.
+/// Extends what is known about texels a little beyond the triangles' edges.
 void growOutwards(PaintCanvas& canvas) {
   constexpr int kRounds = 4;
   const int width = canvas.picture.cols;
@@ -77,7 +77,8 @@ PaintedModel::PaintedModel(const world::Model& original)
   if (parts.box_M.isEmpty()) return;
   levels = levelsOf(model, parts);
   ColourCount colours;
-  std::map<const world::Texture*, std::size_t> numbers;  // only looked up: their order is no matter
+  std::map<const world::Texture*, std::size_t> numbers;  // only looked up: their order does not
+                                                         // matter
   for (std::size_t i = 0; i < parts.surfaces.size(); ++i) {
     const world::Surface& surface = surfaceOf(model, parts.surfaces[i]);
     if (!isPaintable(surface)) continue;
@@ -104,7 +105,7 @@ PaintedModel::PaintedModel(const world::Model& original)
   for (PaintCanvas& canvas : canvases) growOutwards(canvas);
 }
 
-/// Finds out where each texel is, and how much of each colour is seen.
+/// Finds the place of each texel, and how much of each colour is visible.
 void PaintedModel::place(PaintCanvas& canvas, ColourCount& colours) {
   const cv::Mat& picture = canvas.picture;
   canvas.texels.resize(picture.total());
@@ -178,8 +179,8 @@ void PaintedModel::classify(PaintCanvas& canvas) const {
   }
 }
 
-/// Texels at the border of two paints have a bit of both; their shade is that of what is around
-/// them, so that nothing is left of a border that is painted over.
+/// Texels at the border of two paints are a mixture. They take the shade of their surroundings, so
+/// that no trace remains of a border that is painted over.
 void PaintedModel::smoothBorders(PaintCanvas& canvas) {
   constexpr int kNear = 2;    // [px]
   constexpr int kAround = 4;  // [px]
@@ -225,7 +226,7 @@ void PaintedModel::smoothBorders(PaintCanvas& canvas) {
   }
 }
 
-/// Where each height of a part has one paint, nearly, and the heights have several, it is banded.
+/// A part is banded if each of its heights has nearly a single paint, and different heights differ.
 void PaintedModel::findPatterns() {
   constexpr std::size_t kHeights = 48;
   constexpr double kPlain = 0.93;

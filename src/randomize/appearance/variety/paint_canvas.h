@@ -16,52 +16,52 @@
 
 namespace synthetic_dataset::randomize {
 
-/// A piece of a surface at one level of the model, as it is painted.
+/// A piece of a surface within one height level of the model, to be painted.
 struct PaintedPart {
   enum class Pattern {
-    kPlain,    ///< one paint
-    kBanded,   ///< paints that change with the height alone: a cone's stripes
+    kPlain,    ///< a single paint
+    kBanded,   ///< paints that change only with the height: a cone's stripes
     kPicture,  ///< anything else
   };
 
   Eigen::AlignedBox3f box_M;
   double share = 0.0;          ///< of the model's surface
-  std::vector<double> paints;  ///< how much of it each paint of the palette has
-  std::size_t paint = 0;       ///< the commonest
+  std::vector<double> paints;  ///< how much of it each paint of the palette covers
+  std::size_t paint = 0;       ///< the most common one
   Pattern pattern = Pattern::kPlain;
 };
 
-/// A picture that surfaces show, with what is known of each texel.
+/// A picture that surfaces show, with data about each texel.
 struct PaintCanvas {
   struct Texel {
     Eigen::Vector3f p_M{0.0F, 0.0F, 0.0F};
-    std::int32_t part = kNone;  ///< index of its part, or one of those below
-    std::uint8_t paint = 0;     ///< of the palette
+    std::int32_t part = kNone;  ///< index of its part, or one of the values below
+    std::uint8_t paint = 0;     ///< index in the palette
     bool is_mixed = false;      ///< of two paints, or near their border
-    float shade = 1.0F;         ///< its lightness in those of its paint
+    float shade = 1.0F;         ///< its lightness relative to that of its paint
   };
   static constexpr std::int32_t kNone = -1;       ///< no surface shows it
   static constexpr std::int32_t kSomewhere = -2;  ///< several places show it
 
-  std::vector<std::size_t> surfaces;  ///< that show it, of the model's parts
-  cv::Mat picture;                    ///< CV_8UC4, as Texture
+  std::vector<std::size_t> surfaces;  ///< that show it, indices in the model's parts
+  cv::Mat picture;                    ///< CV_8UC4, as in Texture
   std::vector<Texel> texels;          ///< row by row
 };
 
-/// A model made ready to be painted: its pictures, each texel's place, and its paints. Made once,
-/// for all variants.
+/// A model prepared for painting: its pictures, each texel's place, and its paints. Made once for
+/// all variants.
 class PaintedModel {
  public:
   explicit PaintedModel(const world::Model& original);
 
-  /// It looks as what it was made of does, and has the same triangles; surfaces that had no texture
-  /// of their own have got one where they are large.
+  /// Looks like the original and has the same triangles; large surfaces without a texture of their
+  /// own have received one.
   world::Model model;
   ModelParts parts;                 ///< of `model`
   std::vector<HeightLevel> levels;  ///< of `model`
   std::vector<PaintCanvas> canvases;
   std::vector<PaintedPart> painted;     ///< parts of the canvases
-  std::vector<std::size_t> untextured;  ///< of the parts' surfaces, those in one colour
+  std::vector<std::size_t> untextured;  ///< indices in the parts' surfaces: those in one colour
 
   [[nodiscard]] const PaintPalette& palette() const { return *palette_; }
 

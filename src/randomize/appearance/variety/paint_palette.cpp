@@ -11,11 +11,11 @@ namespace {
 constexpr float kSamePaint = 0.32F;  // distance of features
 constexpr std::size_t kMostPaints = 8;
 
-/// Hue and saturation, which shade leaves nearly as they are, and a little of the lightness, which
-/// tells white from black.
+/// Hue and saturation, which shading hardly changes, and a little of the lightness, to tell white
+/// from black.
 Eigen::Vector3f featureOf(const Eigen::Vector3f& colour) {
   const float lightness = lightnessOf(colour);
-  constexpr float kDark = 0.15F;  // where hues are hardly seen
+  constexpr float kDark = 0.15F;  // below which hues are hardly visible
   return {(colour[2] - lightness) / (lightness + kDark),
           (colour[0] - lightness) / (lightness + kDark), 0.5F * lightness};
 }
@@ -32,7 +32,7 @@ void ColourCount::add(const Eigen::Vector3f& colour, double amount) {
   cell.amount += amount;
 }
 
-/// The commonest colours are paints; others belong to those that they are likest to.
+/// The most common colours become paints; others belong to the paints they are most like.
 PaintPalette::PaintPalette(const ColourCount& count) {
   std::vector<std::size_t> order(count.cells_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -62,7 +62,7 @@ PaintPalette::PaintPalette(const ColourCount& count) {
   for (int round = 0; round < 2; ++round) merge(count);
 }
 
-/// Lloyd's step: each paint becomes the mean of what is likest to it.
+/// Lloyd's step: each paint becomes the mean of the colours closest to it.
 void PaintPalette::merge(const ColourCount& count) {
   std::vector<ColourCount::Cell> sums(paints_.size());
   double all = 0.0;
@@ -98,7 +98,7 @@ PaintPalette::Likeness PaintPalette::likeness(const Eigen::Vector3f& colour) con
     }
   }
   const bool is_alone = features_.size() == 1;
-  // Half way between two it is of both, near one of it alone.
+  // Halfway between two paints a colour is a mixture, near one of them it is that one only.
   const float share = is_alone ? 0.0F : nearest / std::max(nearest + next, 1e-6F);
   result.share = std::clamp(2.0F * (share - 0.25F), 0.0F, 0.5F);
   return result;

@@ -8,7 +8,7 @@
 
 namespace synthetic_dataset::randomize {
 
-/// A paint of a model: colours of one hue, from their shades to their lights. Colours here are
+/// A paint of a model: colours of one hue, from shadows to highlights. Colours in this file are
 /// sRGB-encoded red, green, blue, 0 to 1.
 struct Paint {
   Eigen::Vector3f colour{0.0F, 0.0F, 0.0F};  ///< the mean
@@ -41,10 +41,10 @@ class PaintPalette {
  public:
   explicit PaintPalette(const ColourCount& count);
 
-  /// The largest first; at least one.
+  /// The most common first; at least one.
   [[nodiscard]] const std::vector<Paint>& paints() const { return paints_; }
 
-  /// The two paints that a colour is likest to, and how much of the second it is: up to a half.
+  /// The two paints that a colour is most like, and the share of the second: up to a half.
   struct Likeness {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -56,7 +56,7 @@ class PaintPalette {
   void merge(const ColourCount& count);
 
   std::vector<Paint> paints_;
-  std::vector<Eigen::Vector3f> features_;  ///< of each: what tells paints apart
+  std::vector<Eigen::Vector3f> features_;  ///< one per paint: what distinguishes paints
 };
 
 }  // namespace synthetic_dataset::randomize

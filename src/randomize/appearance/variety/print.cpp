@@ -9,7 +9,7 @@ Print::Print(const Eigen::AlignedBox3f& box_M, const Eigen::Vector3f& ink,
              base::RandomSource& random)
     : ink_(ink) {
   const Eigen::Vector3f size = box_M.sizes();
-  // To one of four sides, or a little between two: on a box's side or around a drum alike.
+  // Towards one of four sides, or a little off: works on a box's side as well as around a drum.
   const double angle = 0.5 * M_PI * static_cast<double>(random.index(4)) + 0.3 * random.normal();
   outward_ = Eigen::Vector3f(static_cast<float>(std::cos(angle)),
                              static_cast<float>(std::sin(angle)), 0.0F);

@@ -10,14 +10,14 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Something printed on one side of a part: lines of what looks like writing, or a sign.
+/// Something printed on one side of a part: lines that look like writing, or a sign.
 class Print {
  public:
   /// @param box_M  of the part
   /// @param ink  sRGB-encoded
   Print(const Eigen::AlignedBox3f& box_M, const Eigen::Vector3f& ink, base::RandomSource& random);
 
-  /// How much ink there is at a place of the part, 0 .. 1.
+  /// The amount of ink at a place of the part, 0 .. 1.
   [[nodiscard]] float inkAt(const Eigen::Vector3f& p_M) const;
 
   [[nodiscard]] const Eigen::Vector3f& ink() const { return ink_; }
@@ -36,7 +36,7 @@ class Print {
   Eigen::Vector3f middle_M_;
   Eigen::Vector3f outward_;
   Eigen::Vector3f right_;
-  float depth_ = 0.0F;  ///< how far outward a place has to be to be on that side [m]
+  float depth_ = 0.0F;  ///< how far outward a place must be to count as on that side [m]
   float width_ = 0.0F;
   float height_ = 0.0F;
   Eigen::Vector3f ink_;

@@ -9,9 +9,9 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-constexpr float kDarkest = 0.02F;  // lightness; shades are relative to more than that
+constexpr float kDarkest = 0.02F;  // lightness added to both sides of a ratio, to keep it finite
 
-/// Shades of what is nearly black say little.
+/// Fades out shading on nearly black colours, where it says little.
 float shadeOn(float shade, const Eigen::Vector3f& colour, float contrast) {
   const float kept = contrast * std::min(1.0F, lightnessOf(colour) / 0.25F);
   return std::clamp(1.0F + kept * (shade - 1.0F), 0.25F, 1.8F);
@@ -23,8 +23,8 @@ Eigen::Vector3f asPaint(const Eigen::Vector3f& colour, const Eigen::Vector3f& fr
   return shadeOn(shade, from, contrast) * to + contrast * (colour - shade * from);
 }
 
-/// How the colours of a canvas change that are not painted over: by how much, to the 64th part of
-/// a channel, so that finer differences stay.
+/// How colours of a canvas that are not painted over change. Changes are cached with 64 levels per
+/// channel and added, so that finer differences stay.
 class ColourChanges {
  public:
   ColourChanges(const PaintedModel& model, const VariantPaint& paint)
@@ -50,7 +50,7 @@ class ColourChanges {
   std::vector<std::uint8_t> is_known_;
 };
 
-/// The colour of a part at a height, with edges that are as soft as a picture's.
+/// The colour of a part at a height, with band edges as soft as those in a picture.
 Eigen::Vector3f colourAt(const PartPaint& part, const Eigen::Vector3f& field, float height) {
   constexpr float kEdge = 0.004F;
   Eigen::Vector3f colour = field;
@@ -124,7 +124,7 @@ class CanvasPainter {
   bool is_clean_;
 };
 
-/// Short thin lines, lighter or darker than what they cut into.
+/// Draws a short thin line, lighter or darker than what it cuts into.
 void scratch(const PaintCanvas& canvas, base::RandomSource& random, cv::Mat& picture) {
   const int side = std::max(picture.rows, picture.cols);
   std::size_t start = 0;

@@ -8,13 +8,13 @@
 
 namespace synthetic_dataset::randomize {
 
-/// The paint that a variant has in the place of a model's.
+/// The paint that a variant has in place of one of the model's.
 /// @param colour  of the model, sRGB-encoded
 [[nodiscard]] Eigen::Vector3f repainted(const Eigen::Vector3f& colour, const PaintedModel& model,
                                         const VariantPaint& paint);
 
-/// A canvas of the model as the variant has it. Alpha stays.
-/// @param random  says where scratches are
+/// The variant's version of one of the model's canvases. Alpha stays.
+/// @param random  decides where scratches are
 [[nodiscard]] cv::Mat repainted(const PaintCanvas& canvas, const PaintedModel& model,
                                 const VariantPaint& paint, base::RandomSource& random);
 

@@ -14,9 +14,9 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-constexpr double kFlat = 1e-9;  // [m]: lower models have no height to speak of
+constexpr double kFlat = 1e-9;  // [m]: lower models are treated as flat
 
-/// Between two factors, whose logarithms are equally likely.
+/// A factor between two limits, log-uniform.
 double drawFactor(base::RandomSource& random, double low, double high) {
   return std::exp(random.uniform(std::log(low), std::log(high)));
 }
@@ -25,8 +25,8 @@ double overlapInHeight(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& 
   return std::min(a.max().z(), b.max().z()) - std::max(a.min().z(), b.min().z());
 }
 
-/// Pieces above or below all other large ones, about the model's middle: a cone's foot, a lid. They
-/// can be wider or narrower than the others without being torn off or swallowed.
+/// Finds pieces above or below all other large ones, near the model's middle: a cone's foot, a lid.
+/// They can become wider or narrower than the others without being torn off or swallowed.
 std::vector<bool> stackedPieces(const ModelParts& parts) {
   constexpr double kSmallShare = 0.02;  // of the model's area
   constexpr double kMiddle = 0.1;       // of the model's width
@@ -80,8 +80,8 @@ ShapeChange::ShapeChange(const ModelParts& parts, const std::vector<HeightLevel>
   drawHeights(parts, levels, random);
 }
 
-/// The lowest level, and the highest, where they are wider than their neighbours. What reaches out
-/// is scaled from where it does, so that nothing tears.
+/// Finds the lowest and the highest level if they are wider than their neighbours. Only the
+/// protruding part is scaled, from where it starts, so that nothing tears.
 void ShapeChange::drawFlanges(const std::vector<HeightLevel>& levels, base::RandomSource& random) {
   const double foot = drawFactor(random, 0.65, 2.4);
   const double head = drawFactor(random, 0.65, 1.6);
@@ -94,11 +94,11 @@ void ShapeChange::drawFlanges(const std::vector<HeightLevel>& levels, base::Rand
   }
   const double below = levels[levels.size() - 2].top_radius;
   if (last.foot_radius > below) flanges_.push_back({last.low - border, last.high, below, head});
-  // Both together could make a foot narrower than what it carries.
+  // In combination, both could make a foot narrower than what it carries.
   if (!flanges_.empty()) own_widths_.assign(own_widths_.size(), 1.0);
 }
 
-/// A factor of how far a point is from the middle.
+/// The factor on a point's distance from the axis.
 double ShapeChange::flangeAt(const Eigen::Vector3d& p_M) const {
   const double radius = (p_M.head<2>() - axis_).norm();
   for (const Flange& flange : flanges_) {
@@ -110,10 +110,10 @@ double ShapeChange::flangeAt(const Eigen::Vector3d& p_M) const {
 }
 
 void ShapeChange::drawWidths(const ModelParts& parts, base::RandomSource& random) {
-  // What is round stays nearly so.
+  // What is round stays nearly round.
   const double width = drawFactor(random, 0.75, 1.6);
   width_ = {width * random.uniform(0.97, 1.03), width * random.uniform(0.97, 1.03)};
-  taper_ = random.uniform(-0.22, 0.22) * random.unit();  // mostly little
+  taper_ = random.uniform(-0.22, 0.22) * random.unit();  // mostly small
   bulge_ = random.uniform(-0.1, 0.1);
   const std::vector<bool> stacked = stackedPieces(parts);
   for (std::size_t i = 0; i < stacked.size(); ++i) {
@@ -122,7 +122,7 @@ void ShapeChange::drawWidths(const ModelParts& parts, base::RandomSource& random
   }
 }
 
-/// The borders of stacked pieces are the knots, so each has a height of its own.
+/// The borders of stacked pieces are knots, so that each piece has its own change of height.
 void ShapeChange::drawHeights(const ModelParts& parts, const std::vector<HeightLevel>& levels,
                               base::RandomSource& random) {
   const double height = drawFactor(random, kLowest, kHighest);
@@ -147,7 +147,7 @@ void ShapeChange::drawHeights(const ModelParts& parts, const std::vector<HeightL
     const double factor = is_small ? drawFactor(random, 0.6, 1.7) : drawFactor(random, 0.85, 1.18);
     knots_.push_back({border, knots_.back().to + factor * step});
   }
-  // Of the whole height what was drawn of it; about the model's origin, on which it may stand.
+  // Scale the total height to what was drawn, about the model's origin, on which it may stand.
   const double drawn = std::max(knots_.back().to - low, kFlat);
   const double scale = height * (high - low) / drawn;
   for (Knot& knot : knots_) knot.to = height * low + scale * (knot.to - low);
@@ -183,8 +183,8 @@ Eigen::Vector3d ShapeChange::moved(const Eigen::Vector3d& p_M) const {
   return moved(p_M, own_width);
 }
 
-/// A mesh moved vertex by vertex. Its triangles stay flat, so how a normal turns follows from how
-/// far the triangles around it reach: the derivatives are slopes over that height.
+/// Moves a mesh vertex by vertex. Its triangles stay flat, so a normal turns according to the
+/// height range of the triangles around it: the derivatives are slopes over that range.
 std::shared_ptr<const world::Mesh> ShapeChange::changed(const world::Mesh& mesh,
                                                         const SurfacePart& part) const {
   struct Reach {
@@ -217,7 +217,7 @@ std::shared_ptr<const world::Mesh> ShapeChange::changed(const world::Mesh& mesh,
     const double high = std::max(reach[i].high, p.z() + least);
     const double rise = (heightAt(high) - heightAt(low)) / (high - low);
     const double widening = own * (widthAt(high) - widthAt(low)) / (high - low);
-    // The derivatives of where a point goes; a normal goes by the inverse's transpose.
+    // The Jacobian of the movement; a normal is transformed by its inverse transpose.
     Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
     for (Eigen::Index k = 0; k < 2; ++k) {
       jacobian(k, k) = width_[k] * own * widthAt(p.z());
@@ -255,7 +255,7 @@ void ShapeChange::apply(const ModelParts& parts, world::Model& model) const {
       change(link.X_ML * collision.X_LC, collision.shape);
     }
     if (!link.inertia) continue;
-    // About that of a body of the same density.
+    // Approximately those of a body with the same density.
     link.inertia->mass *= volume;
     link.inertia->centre_of_mass_L =
         link.X_ML.inverse() * moved(link.X_ML * link.inertia->centre_of_mass_L);

@@ -13,11 +13,11 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Other proportions of a model: its heights are stretched piece by piece, its widths by a factor
-/// that changes with the height, about a vertical axis. Up is the model's z.
+/// A change of a model's proportions: heights are stretched piece by piece, widths by a factor that
+/// varies with the height, about a vertical axis. Up is the model's z.
 class ShapeChange {
  public:
-  /// The widest limits of what is drawn, of the model's whole height and width.
+  /// The limits of what is drawn, as factors on the model's total height and width.
   static constexpr double kLowest = 0.75;
   static constexpr double kHighest = 1.35;
   static constexpr double kNarrowest = 0.5;
@@ -27,7 +27,7 @@ class ShapeChange {
   ShapeChange(const ModelParts& parts, const std::vector<HeightLevel>& levels,
               base::RandomSource& random);
 
-  /// Where a point of the model goes that belongs to no piece, such as a keypoint.
+  /// Where a point of the model that belongs to no piece moves to, such as a keypoint.
   [[nodiscard]] Eigen::Vector3d moved(const Eigen::Vector3d& p_M) const;
 
   /// Changes the meshes of visuals and collisions, and masses. Links stay where they are.
@@ -40,12 +40,12 @@ class ShapeChange {
     double to;
   };
 
-  /// A foot or a head that reaches out beyond what stands on it or carries it.
+  /// A foot or a head that protrudes beyond what stands on it or carries it.
   struct Flange {
     double low;
     double high;
-    double radius;  ///< from where on it reaches out [m]
-    double factor;  ///< of how far
+    double radius;  ///< beyond which it protrudes [m]
+    double factor;  ///< on the protruding length
   };
 
   void drawFlanges(const std::vector<HeightLevel>& levels, base::RandomSource& random);
@@ -62,12 +62,12 @@ class ShapeChange {
 
   Eigen::Vector2d axis_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d width_ = Eigen::Vector2d::Ones();  ///< factors along x and y
-  std::vector<Knot> knots_;                          ///< ascending, two at least
+  std::vector<Knot> knots_;                          ///< ascending, at least two
   double taper_ = 0.0;
   double bulge_ = 0.0;
   std::vector<Flange> flanges_;
-  std::vector<double> own_widths_;            ///< of each piece
-  std::vector<Eigen::AlignedBox3d> boxes_M_;  ///< of each piece
+  std::vector<double> own_widths_;            ///< one per piece
+  std::vector<Eigen::AlignedBox3d> boxes_M_;  ///< one per piece
 };
 
 }  // namespace synthetic_dataset::randomize

@@ -10,7 +10,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// A coarse lattice of random numbers, seen at a finer one.
+/// A coarse lattice of random numbers, interpolated.
 class LatticeNoise {
  public:
   LatticeNoise(int cells, std::uint64_t seed) : cells_(cells) {
@@ -54,7 +54,7 @@ class LatticeNoise {
   std::vector<float> numbers_;
 };
 
-/// Replaces each value by the share of all values that are smaller.
+/// Replaces each value by the share of all values that are smaller, as a byte.
 std::vector<std::uint8_t> equalised(const std::vector<float>& values) {
   constexpr std::size_t kBins = 4096;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -114,7 +114,7 @@ float SolidNoise::at(const Eigen::Vector3f& place) const {
   std::array<int, 3> high{};
   std::array<float, 3> share{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Above 0, where a cast rounds down, which is quicker than std::floor.
+    // Made positive, so that a cast rounds down, which is quicker than std::floor.
     constexpr float kFarAway = 64.0F * kSide;
     const float scaled = place[static_cast<Eigen::Index>(axis)] * kSide + kFarAway;
     const int floor = static_cast<int>(scaled);

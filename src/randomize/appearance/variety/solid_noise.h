@@ -7,11 +7,11 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Cloudy noise that fills space and repeats after one unit along each axis. Each value from 0 to 1
-/// is as likely as the others, so a share of all places lies above 1 - share.
+/// Cloudy noise that fills space and repeats after one unit along each axis. Values are uniform
+/// from 0 to 1, so that a given share of all places lies above 1 - share.
 class SolidNoise {
  public:
-  /// The one that all models are worn by; at other places, it looks unlike itself.
+  /// The noise used to wear all models; it looks different at different places.
   [[nodiscard]] static const SolidNoise& shared();
 
   /// @param place  within 60 units of the origin

@@ -8,8 +8,8 @@
 
 namespace synthetic_dataset::randomize {
 
-/// Visits the texels whose middles a triangle covers.
-/// @param corners  in texels: the first one's middle is at (0.5, 0.5)
+/// Visits the texels whose centres are covered by a triangle.
+/// @param corners  in texels: the first texel's centre is at (0.5, 0.5)
 /// @param visit  called with column, row (of any sign) and the weights of the corners
 template <class Visit>
 void forEachTexel(const std::array<Eigen::Vector2d, 3>& corners, const Visit& visit) {

@@ -17,15 +17,15 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-constexpr int kMargin = 3;  // [px], around each chart, for the coarser pictures of a pyramid
+constexpr int kMargin = 3;  // [px] around each chart, for the coarser levels of a mipmap
 
-/// Triangles that lie beside one another, seen along an axis.
+/// Adjacent triangles, seen along an axis.
 struct Chart {
   Eigen::AlignedBox2d box;  ///< [m]
-  Eigen::Vector2d corner;   ///< where its lower corner goes [px]
+  Eigen::Vector2d corner;   ///< where its lower corner is placed [px]
 };
 
-/// The six directions, by axis and sign.
+/// One of six directions, by axis and sign.
 std::size_t directionOf(const Eigen::Vector3f& normal) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -39,7 +39,7 @@ Eigen::Vector2d seenAlong(std::size_t direction, const Eigen::Vector3f& p) {
   return {p.x(), p.y()};
 }
 
-/// Puts the charts into rows. @return whether there is room at so many texels a metre
+/// Places the charts in rows. @return whether they fit at this many texels per metre
 bool pack(std::vector<Chart>& charts, const std::vector<std::size_t>& order, double density,
           int side) {
   double x = 0.0;
@@ -61,7 +61,7 @@ bool pack(std::vector<Chart>& charts, const std::vector<std::size_t>& order, dou
   return true;
 }
 
-/// @return texels a metre; nothing where there are too many charts
+/// @return texels per metre; nothing if there are too many charts
 std::optional<double> packAll(std::vector<Chart>& charts, int side) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -78,7 +78,7 @@ std::optional<double> packAll(std::vector<Chart>& charts, int side) {
   return std::nullopt;
 }
 
-/// The colour of a place of a surface as it is shown, without light.
+/// The unlit colour of a place on a surface.
 cv::Vec4b lookAt(const world::Surface& surface, const std::array<std::uint32_t, 3>& triangle,
                  const Eigen::Vector3d& weights) {
   const world::Mesh& mesh = *surface.mesh;
@@ -105,7 +105,7 @@ cv::Vec4b lookAt(const world::Surface& surface, const std::array<std::uint32_t, 
   return {byte(2), byte(1), byte(0), 255};
 }
 
-/// Continues what is filled beyond its edges.
+/// Extends what is filled beyond its edges.
 void fillMargins(cv::Mat& picture, cv::Mat& filled) {
   for (int round = 0; round < 2 * kMargin; ++round) {
     const cv::Mat before = filled.clone();
@@ -133,7 +133,7 @@ Triangle triangleAt(const world::Mesh& mesh, std::size_t number) {
   return {mesh.indices[3 * number], mesh.indices[3 * number + 1], mesh.indices[3 * number + 2]};
 }
 
-/// Which vertices are at the same place: each has the first one's number.
+/// Finds vertices at the same place: each receives the number of the first one there.
 std::vector<std::uint32_t> samePlaces(const world::Mesh& mesh) {
   std::vector<std::uint32_t> order(mesh.positions.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -151,7 +151,7 @@ std::vector<std::uint32_t> samePlaces(const world::Mesh& mesh) {
   return first;
 }
 
-/// The charts of a mesh: triangles that hang together by their edges and face the same way.
+/// The charts of a mesh: triangles that share edges and face the same way.
 struct Charts {
   explicit Charts(const world::Mesh& mesh) {
     const std::size_t count = mesh.indices.size() / 3;
@@ -159,7 +159,7 @@ struct Charts {
     std::vector<std::size_t> facing;
     JoinedSets sets(count);
     using Edge = std::tuple<std::uint32_t, std::uint32_t, std::size_t>;  // and the direction
-    std::map<Edge, std::size_t> known;                                   // a triangle with it
+    std::map<Edge, std::size_t> known;                                   // one of its triangles
     for (std::size_t k = 0; k < count; ++k) {
       const Triangle triangle = triangleAt(mesh, k);
       const Eigen::Vector3f& a = mesh.positions[triangle[0]];
@@ -187,19 +187,19 @@ struct Charts {
     }
   }
 
-  /// Where a vertex of a chart is [px].
+  /// The place of a chart's vertex [px].
   [[nodiscard]] Eigen::Vector2d place(std::size_t chart, const Eigen::Vector3f& p) const {
     return charts[chart].corner +
            density * (seenAlong(directions[chart], p) - charts[chart].box.min());
   }
 
   std::vector<Chart> charts;
-  std::vector<std::size_t> directions;   ///< of each chart
-  std::vector<std::size_t> of_triangle;  ///< of each triangle, its chart
+  std::vector<std::size_t> directions;   ///< one per chart
+  std::vector<std::size_t> of_triangle;  ///< the chart of each triangle
   double density = 0.0;                  ///< [px/m]
 };
 
-/// The mesh with a vertex for each of its vertices in each chart.
+/// Splits the mesh: each vertex is repeated for every chart that uses it.
 std::shared_ptr<world::Mesh> split(const world::Mesh& mesh, const Charts& charts, int side) {
   auto result = std::make_shared<world::Mesh>();
   std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> numbers;
@@ -280,7 +280,7 @@ std::optional<UnwrappedSurface> unwrapped(const world::Surface& surface, int sid
   if (!is_plain && static_cast<double>(hidden) > kMostHidden * static_cast<double>(drawn)) {
     return std::nullopt;
   }
-  if (is_plain) {  // edges that no texel's middle lies on have its colour too
+  if (is_plain) {  // edges that cover no texel centre need the colour too
     const cv::Vec4b colour = lookAt(surface, triangleAt(*surface.mesh, 0), {1.0, 0.0, 0.0});
     result.picture.setTo(cv::Scalar(colour[0], colour[1], colour[2], colour[3]));
   } else {

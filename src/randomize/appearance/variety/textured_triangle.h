@@ -14,7 +14,7 @@ namespace synthetic_dataset::randomize {
 
 /// A triangle that shows a part of a picture.
 struct TexturedTriangle {
-  /// @param first  of its corners in the mesh's indices
+  /// @param first  index of its first corner in the mesh's indices
   TexturedTriangle(const world::Surface& surface, const SurfacePart& part, std::size_t first,
                    const cv::Mat& picture) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -26,11 +26,11 @@ struct TexturedTriangle {
     }
   }
 
-  std::array<Eigen::Vector2d, 3> corners;  ///< in texels, as of forEachTexel
-  Eigen::Matrix3d p_M;                     ///< of the corners, a column each
+  std::array<Eigen::Vector2d, 3> corners;  ///< in texels, as for forEachTexel
+  Eigen::Matrix3d p_M;                     ///< of the corners, one per column
 };
 
-/// Where a texel lies among those of a picture that repeats.
+/// The index of a texel in a picture that repeats.
 [[nodiscard]] inline std::size_t wrappedIndex(int column, int row, const cv::Mat& picture) {
   const auto wrapped = [](int index, int count) { return ((index % count) + count) % count; };
   return flatIndex(wrapped(row, picture.rows), wrapped(column, picture.cols), picture.cols);

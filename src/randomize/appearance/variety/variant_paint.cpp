@@ -8,7 +8,7 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-constexpr float kColourful = 0.25F;  // saturation; below, it is a grey
+constexpr float kColourful = 0.25F;  // saturation; anything below is a grey
 
 bool happens(base::RandomSource& random, double probability) { return random.unit() < probability; }
 
@@ -16,16 +16,16 @@ float between(base::RandomSource& random, double low, double high) {
   return static_cast<float>(random.uniform(low, high));
 }
 
-/// How a paint differs from the model's.
+/// How a paint differs from the one on the model.
 struct PaintChange {
-  float hue;         ///< of a whole turn, that is added
+  float hue;         ///< added, in whole turns
   float saturation;  ///< a factor
   float value;       ///< a factor
-  float grey_value;  ///< a factor, of greys
-  float tinge;       ///< of greys, that is added: above 0 a warm one, below 0 a cold one
+  float grey_value;  ///< a factor, for greys
+  float tinge;       ///< added to greys: warm above 0, cold below
 };
 
-/// The same paint from another batch, and from other years.
+/// The same paint from another batch, or after some years.
 PaintChange drawSlightChange(base::RandomSource& random) {
   PaintChange change{};
   change.hue = 0.008F * static_cast<float>(random.normal());
@@ -35,7 +35,7 @@ PaintChange drawSlightChange(base::RandomSource& random) {
   return change;
 }
 
-/// How far another maker's hue is from this one's, of a whole turn: mostly a little.
+/// How far another maker's hue is from this one's, in whole turns: mostly a little.
 float drawHueShift(base::RandomSource& random) {
   const double kind = random.unit();
   const auto normal = static_cast<float>(random.normal());
@@ -44,7 +44,7 @@ float drawHueShift(base::RandomSource& random) {
   return between(random, -0.5, 0.5);
 }
 
-/// The paint that another maker has in this one's place.
+/// The paint that another maker would use in its place.
 PaintChange drawOtherMakers(base::RandomSource& random) {
   PaintChange change{};
   change.hue = drawHueShift(random);
@@ -55,27 +55,25 @@ PaintChange drawOtherMakers(base::RandomSource& random) {
   return change;
 }
 
-bool isColourful(const Eigen::Vector3f& colour) {
-  return hueColour(colour).saturation > kColourful;
-}
+bool isColourful(const Eigen::Vector3f& colour) { return toHue(colour).saturation > kColourful; }
 
 Eigen::Vector3f changedPaint(const Eigen::Vector3f& colour, const PaintChange& change) {
-  HueColour result = hueColour(colour);
+  HueColour result = toHue(colour);
   if (isColourful(colour)) {
     result.hue += change.hue;
     result.saturation *= change.saturation;
     result.value = std::clamp(result.value * change.value, std::min(result.value, 0.12F), 1.0F);
-    return ofHue(result);
+    return toRgb(result);
   }
-  // A grey stays one; white is white in most makes.
+  // A grey stays grey; white is white with most makers.
   const bool is_light = result.value > 0.6F;
   const float factor = is_light ? std::clamp(change.grey_value, 0.8F, 1.06F) : change.grey_value;
   const float tinge = result.saturation + std::abs(change.tinge);
   const float hue = change.tinge == 0.0F ? result.hue : change.tinge > 0.0F ? 0.1F : 0.6F;
-  return ofHue({hue, tinge, std::clamp(result.value * factor, 0.03F, 0.97F)});
+  return toRgb({hue, tinge, std::clamp(result.value * factor, 0.03F, 0.97F)});
 }
 
-/// The change of each paint. Those of nearly the same hue change alike: one is the other's shadow.
+/// The change of each paint. Paints of nearly the same hue change alike: one is the other's shadow.
 std::vector<PaintChange> drawChanges(const std::vector<Paint>& paints, Variety variety,
                                      base::RandomSource& random) {
   constexpr float kSameHue = 0.1F;
@@ -86,7 +84,7 @@ std::vector<PaintChange> drawChanges(const std::vector<Paint>& paints, Variety v
                                                      : drawSlightChange(own));
     for (std::size_t k = 0; k < i; ++k) {
       if (!isColourful(paints[i].colour) || !isColourful(paints[k].colour)) continue;
-      const float off = hueColour(paints[i].colour).hue - hueColour(paints[k].colour).hue;
+      const float off = toHue(paints[i].colour).hue - toHue(paints[k].colour).hue;
       if (std::abs(off - std::round(off)) > kSameHue) continue;
       changes[i] = changes[k];
       break;
@@ -95,16 +93,16 @@ std::vector<PaintChange> drawChanges(const std::vector<Paint>& paints, Variety v
   return changes;
 }
 
-/// A colour that signals, or that is common on goods.
+/// A vivid colour, as on signs or goods.
 Eigen::Vector3f drawAnyColour(base::RandomSource& random) {
-  return ofHue({between(random, 0.0, 1.0), between(random, 0.5, 1.0), between(random, 0.35, 0.95)});
+  return toRgb({between(random, 0.0, 1.0), between(random, 0.5, 1.0), between(random, 0.35, 0.95)});
 }
 
 Eigen::Vector3f drawLightGrey(base::RandomSource& random) {
   return Eigen::Vector3f::Constant(between(random, 0.72, 0.97));
 }
 
-/// Draws how the parts of a model of the same class are painted.
+/// Draws how the parts of another model of the same class are painted.
 class ClassPainter {
  public:
   ClassPainter(const PaintedModel& model, const VariantPaint& paint, base::RandomSource& random)
@@ -115,7 +113,7 @@ class ClassPainter {
                          std::max(static_cast<float>(model_.parts.box_M.sizes().z()), 1e-6F);
     const bool is_large = part.share > 0.08 && height > 0.25F;
     PartPaint result;
-    // Each has as many draws whatever it is: parts do not depend on one another.
+    // A generator of its own, so that the parts' draws do not depend on one another.
     base::RandomSource own(random_.bits());
     switch (part.pattern) {
       case PaintedPart::Pattern::kBanded:
@@ -136,9 +134,9 @@ class ClassPainter {
   }
 
  private:
-  /// Stripes moved, more, fewer or none.
+  /// Moves stripes, or changes their number, down to none.
   void paintBanded(const PaintedPart& part, base::RandomSource& random, PartPaint& result) const {
-    if (happens(random, 0.2)) return;  // as it was, in other colours
+    if (happens(random, 0.2)) return;  // stripes stay, in other colours
     const std::size_t field = fieldOf(part);
     result.colour = paint_.colours[field];
     if (happens(random, 0.06)) result.colour = otherPaint(field, random);
@@ -168,12 +166,12 @@ class ClassPainter {
     result.bands = drawBands(bandColour(part, part.paint, random), random);
   }
 
-  /// The paint between a part's bands: what there is most of, colours before greys.
+  /// The paint between a part's bands: the most common one, preferring colours to greys.
   [[nodiscard]] std::size_t fieldOf(const PaintedPart& part) const {
     std::size_t best = part.paint;
     double most = 0.0;
     for (std::size_t i = 0; i < part.paints.size(); ++i) {
-      const float saturation = hueColour(model_.palette().paints()[i].colour).saturation;
+      const float saturation = toHue(model_.palette().paints()[i].colour).saturation;
       const double score = part.paints[i] * (0.35 + saturation);
       if (score > most) {
         most = score;
@@ -199,7 +197,7 @@ class ClassPainter {
     return drawAnyColour(random);
   }
 
-  /// One of the model's other colours, the commoner the likelier.
+  /// One of the model's other colours, more likely the more common it is.
   [[nodiscard]] Eigen::Vector3f otherPaint(std::size_t than, base::RandomSource& random) const {
     const std::vector<Paint>& paints = model_.palette().paints();
     double all = 0.0;
@@ -217,7 +215,7 @@ class ClassPainter {
                                                    base::RandomSource& random) {
     const double kind = random.unit();
     const std::size_t count = kind < 0.36 ? 1 : kind < 0.8 ? 2 : kind < 0.93 ? 3 : 4;
-    // Gaps and bands in turn, from a gap at the foot to one at the top, that fill the height.
+    // Alternating gaps and bands that fill the height, with a gap at the foot and one at the top.
     std::vector<float> lengths;
     float sum = 0.0F;
     for (std::size_t i = 0; i < 2 * count + 1; ++i) {

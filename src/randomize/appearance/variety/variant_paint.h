@@ -13,7 +13,7 @@
 
 namespace synthetic_dataset::randomize {
 
-/// A stripe around a part, by its heights: 0 its foot .. 1 its top.
+/// A stripe around a part, by relative height: 0 at its foot .. 1 at its top.
 struct Band {
   float low;
   float high;
@@ -22,22 +22,22 @@ struct Band {
 
 /// How a part is painted.
 struct PartPaint {
-  std::optional<Eigen::Vector3f> colour;  ///< instead of its own pattern
-  float detail = 0.0F;                    ///< how much of that pattern shows through, 0 .. 1
+  std::optional<Eigen::Vector3f> colour;  ///< replacing its own pattern
+  float detail = 0.0F;                    ///< how much of its own pattern shows through, 0 .. 1
   std::vector<Band> bands;
   std::optional<Print> print;
 };
 
 /// How a variant of a model is painted. Colours are sRGB-encoded.
 struct VariantPaint {
-  std::vector<Eigen::Vector3f> colours;  ///< of each paint of the palette
-  float contrast = 1.0F;                 ///< of what varies within a paint
+  std::vector<Eigen::Vector3f> colours;  ///< one per paint of the palette
+  float contrast = 1.0F;                 ///< of the variation within a paint
   std::vector<PartPaint> parts;
   Wear wear;
-  float roughness = 0.0F;  ///< that is added
+  float roughness = 0.0F;  ///< to be added
 };
 
-/// @param variety  not none
+/// @param variety  not kNone
 [[nodiscard]] VariantPaint drawPaint(const PaintedModel& model, Variety variety,
                                      base::RandomSource& random);
 

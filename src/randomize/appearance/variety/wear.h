@@ -11,8 +11,8 @@
 
 namespace synthetic_dataset::randomize {
 
-/// What time does to a surface: it fades, gets dirty from below, is scuffed, and rain leaves
-/// streaks on it. Amounts are from 0 to 1.
+/// The effects of age on a surface: it fades, becomes dirty from below, is scuffed, and rain leaves
+/// streaks. Amounts are from 0 to 1.
 struct Wear {
   float fading = 0.0F;
   float dirt = 0.0F;
@@ -22,20 +22,20 @@ struct Wear {
   float scuff_lightness = 0.7F;
   float streaks = 0.0F;
   int scratches = 0;
-  Eigen::Vector3f offset{0.0F, 0.0F, 0.0F};  ///< of the noise that says where
+  Eigen::Vector3f offset{0.0F, 0.0F, 0.0F};  ///< into the noise that decides where
 
   [[nodiscard]] bool isClean() const {
     return fading + dirt + scuffs + streaks <= 0.0F && scratches == 0;
   }
 
   /// @param colour  sRGB-encoded
-  /// @param place  in the model, of which 1 is the largest side
-  /// @param height  0 at its foot .. 1 at its top
+  /// @param place  in the model, in units of its largest side
+  /// @param height  0 at the model's foot .. 1 at its top
   void apply(Eigen::Vector3f& colour, const Eigen::Vector3f& place, float height,
              const SolidNoise& noise) const;
 };
 
-/// @param strength  how worn it may be, 0 .. 1; new ones are the likeliest
+/// @param strength  how worn it may be, 0 .. 1; little wear is the most likely
 [[nodiscard]] Wear drawWear(base::RandomSource& random, double strength);
 
 }  // namespace synthetic_dataset::randomize

@@ -8,13 +8,13 @@
 namespace synthetic_dataset::randomize {
 namespace {
 
-/// An edge of a triangle by its ends: height and distance from the middle.
+/// An edge of a triangle, by its lower and its higher end.
 struct ProfileEdge {
   Eigen::Vector3d low;
   Eigen::Vector3d high;
 };
 
-/// How far a model reaches from its middle at each height.
+/// The greatest distance of a model from its middle at each height.
 class WidthProfile {
  public:
   WidthProfile(const world::Model& model, const ModelParts& parts)

@@ -7,21 +7,21 @@
 
 namespace synthetic_dataset::randomize {
 
-/// A section of a model's height, below and above which it is suddenly wider or narrower: the foot
-/// of a cone, the rim of a barrel.
+/// A section of a model's height, bounded by sudden changes of width: the foot of a cone, the rim
+/// of a barrel.
 struct HeightLevel {
   double low;
   double high;
-  double foot_radius;  ///< how far it reaches from the model's middle at its foot [m]
-  double top_radius;   ///< and at its top
+  double foot_radius;  ///< distance from the model's middle to its edge at the foot [m]
+  double top_radius;   ///< and at the top
 };
 
-/// The levels of a model from its foot to its top: one where its width changes gradually, or in
-/// more places than a thing has that stands on a foot.
-/// @param parts  of the model, which can be seen
+/// The levels of a model from its foot to its top. Only one if the width changes gradually, or in
+/// more places than it would on a thing with a foot.
+/// @param parts  of the model, which must be visible
 [[nodiscard]] std::vector<HeightLevel> levelsOf(const world::Model& model, const ModelParts& parts);
 
-/// The level that a height is in; borders belong to the level below.
+/// The level that contains a height; borders belong to the level below.
 [[nodiscard]] std::size_t levelAt(const std::vector<HeightLevel>& levels, double z);
 
 }  // namespace synthetic_dataset::randomize

@@ -17,7 +17,7 @@ Value member(const Value& group, const std::string& name) {
   return found == map.end() ? Value() : found->second;
 }
 
-/// The entry of a list in which a member is this text.
+/// The entry of a list whose member `name` is this text.
 Value entryIn(const Value& list, const std::string& name, const std::string& text) {
   for (const Value& each : *list.as<Value::List>()) {
     if (member(each, name) == Value(text)) return each;
@@ -57,7 +57,7 @@ TEST(FormatList, HasTheSettingsOfAFormatsTablesAndWhatItsWriterDeclares) {
   EXPECT_EQ(member(entryIn(bop, "name", "images_per_scene"), "default"), Value(1000));
 }
 
-/// docs/formats.md: KITTI's settings are those of its tracking format, and are said once.
+/// docs/formats.md describes KITTI's settings once, as its tracking format has the same.
 TEST(FormatList, HasATableWithEverySettingThatAWriterDeclares) {
   test::preparePluginEnvironment();
   const Value list = member(formatList(), "formats");

@@ -16,7 +16,7 @@ const Value kSettings =
                {"bag_file", Value(Value::List{Value("/data/one.bag"), Value("/data/two.bag")})},
                {"cameras", Value(Value::Map{{"front", Value(Value::Map{})}})}};
 
-/// The field of a problem, as JSON; "" where it has none.
+/// The field of a problem, as JSON; "" if it has none.
 std::string fieldOf(const std::string& about, const std::string& found,
                     const std::string& cure = "") {
   Value::Map setup = {

@@ -150,7 +150,7 @@ TEST(SettingsDocument, TakesSomebodyElsesTextAsAStep) {
   OpenDocument open;
   open.folder.write("settings.yaml", "seed: 7\n");
   EXPECT_TRUE(open.document.look());
-  open.document.takeOutside();
+  open.document.acceptExternal();
   EXPECT_FALSE(open.document.outside());
   EXPECT_EQ("seed: 7\n", open.document.text());
   open.document.undo();
@@ -161,7 +161,7 @@ TEST(SettingsDocument, WritesItsOwnTextOverSomebodyElsesWhenAsked) {
   OpenDocument open;
   open.folder.write("settings.yaml", "seed: 7\n");
   open.document.look();
-  open.document.keepOwn();
+  open.document.overwriteExternal();
   EXPECT_FALSE(open.document.outside());
   EXPECT_EQ(kText, open.onDisk());
   open.set({"camera", "far"}, 60);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A user's folder beside one that is nobody's business.
+/// A user's folder, beside one that must not be shown.
 class UsersFolder : public test::TemporaryFolder {
  public:
   UsersFolder() {

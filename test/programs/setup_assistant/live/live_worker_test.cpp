@@ -70,7 +70,7 @@ TEST(LiveWorker, RefusesWhatWaitsAtItsEnd) {
   busy.reset();
   EXPECT_EQ(Value("busy"), first.get());
   try {
-    EXPECT_EQ(Value(1), waiting.get());  // it may just have had its turn
+    EXPECT_EQ(Value(1), waiting.get());  // its turn may just have come
   } catch (const HttpError& error) {
     EXPECT_EQ(409, error.status());
   }

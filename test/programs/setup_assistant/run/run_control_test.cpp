@@ -16,7 +16,7 @@ namespace {
 /// A shell in the place of `generate`.
 std::vector<std::string> shell(const std::string& script) { return {"/bin/sh", "-c", script}; }
 
-/// Waits for states instead of for a time.
+/// A run that tests wait for by its states, not by time.
 class Watched {
  public:
   void waitFor(const std::function<bool(const Value::Map& state)>& is_there) {
@@ -74,7 +74,7 @@ TEST(RunControl, HasOneRunAtATime) {
   Watched watched;
   watched.run.start(shell("trap 'exit 130' INT; while :; do sleep 0.01; done"));
   EXPECT_THROW(watched.run.start(shell("true")), HttpError);
-}  // whose end stops the run
+}  // the end of `watched` stops the run
 
 TEST(RunControl, SaysWhenThereIsNoSuchProgram) {
   Watched watched;

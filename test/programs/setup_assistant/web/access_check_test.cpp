@@ -18,7 +18,7 @@ HttpRequest requestFor(const std::string& path, const std::string& host) {
   return request;
 }
 
-/// A server, and a browser that has visited it by the address with the token.
+/// A server, and a browser that has opened its address with the token.
 struct Visited {
   explicit Visited(const std::string& address = "127.0.0.1") : check(kToken, address, 8080) {
     HttpRequest first = requestFor("/", "localhost:8080");
@@ -30,14 +30,14 @@ struct Visited {
     cookie = whole_cookie.substr(0, whole_cookie.find(';'));
   }
 
-  /// What the browser asks for on the page.
+  /// A request of the browser from the page.
   [[nodiscard]] HttpRequest request(const std::string& path, const std::string& host) const {
     HttpRequest request = requestFor(folder + path, host);
     request.headers["cookie"] = "other=1; " + cookie;
     return request;
   }
 
-  /// 200 for a request that gets through.
+  /// The status of the answer; 200 for a request that gets through.
   [[nodiscard]] int statusOf(const HttpRequest& request) const {
     const auto answer = check.answer(request);
     return answer ? answer->status : 200;

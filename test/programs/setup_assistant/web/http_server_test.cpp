@@ -1,4 +1,4 @@
-// Without the library there is no server.
+// Without libmicrohttpd there is no server.
 #if __has_include(<microhttpd.h>)
 #include "programs/setup_assistant/web/http_server.h"
 
@@ -20,7 +20,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-/// A connection as any client has it.
+/// A plain connection of a client.
 class Connection {
  public:
   explicit Connection(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -43,7 +43,7 @@ class Connection {
     }
   }
 
-  /// What comes until some text is there, or the server ends it.
+  /// Everything received until a text has arrived or the server has closed the connection.
   [[nodiscard]] std::string readUntil(const std::string& text) const {
     std::string all;
     std::array<char, 4096> bytes{};
@@ -68,7 +68,7 @@ std::string answerOf(std::uint16_t port, const std::string& request) {
   return connection.readUntil("end of answer");
 }
 
-/// Answers with what it was asked.
+/// Answers with the request.
 HttpResponse echo(const HttpRequest& request) {
   if (request.path == "/missing") throw HttpError(404, "no such thing");
   if (request.path == "/wrong") throw Error("far: found -1; it should be above 0");
@@ -79,7 +79,7 @@ HttpResponse echo(const HttpRequest& request) {
   return response;
 }
 
-/// Lets through whoever does not say to be a stranger.
+/// Lets through everyone who does not claim to be a stranger.
 std::optional<HttpResponse> requireToken(const HttpRequest& request) {
   if (request.header("i-am") != "stranger") return std::nullopt;
   HttpResponse response;
@@ -128,7 +128,7 @@ TEST(HttpServer, IsNotKeptFromUsersByConnectionsOfStrangers) {
   EXPECT_NE(std::string::npos, user.readUntil("end of answer").find("GET /b"));
   EXPECT_NE(std::string::npos,
             answerOf(port, "GET /c HTTP/1.1\r\nHost: here\r\n\r\n").find("GET /c"));
-  EXPECT_EQ("", idle.front()->readUntil("the end"));  // has been ended
+  EXPECT_EQ("", idle.front()->readUntil("the end"));  // it has been closed
 }
 
 TEST(HttpServer, DoesNotReadWhatStrangersSend) {

@@ -9,7 +9,7 @@
 
 namespace synthetic_dataset::lidar {
 
-/// What the labels of a link's points are.
+/// The labels of a link's points.
 struct LinkLabel {
   std::uint16_t instance = 0;
   std::uint16_t class_number = 0;
@@ -17,19 +17,19 @@ struct LinkLabel {
   std::uint16_t part = 0;
 };
 
-/// What a ray has met.
-struct MetSurface {
+/// What a ray has hit.
+struct SurfaceHit {
   RayHit hit;
   Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< of the body
 };
 
-/// The surface's normal of length 1, on the side from which the ray comes.
-/// @param surface  that was met
+/// The surface's unit normal, on the side from which the ray comes.
+/// @param surface  that was hit
 /// @param direction_W  of the ray
-[[nodiscard]] Eigen::Vector3d normalOf(const MetSurface& met, const RaySurface& surface,
+[[nodiscard]] Eigen::Vector3d normalOf(const SurfaceHit& met, const RaySurface& surface,
                                        const Eigen::Vector3d& direction_W);
 
-/// Gives a point the labels of the link that it is of.
+/// Gives a point the labels of the link that it lies on.
 void setLabel(const LinkLabel& label, CloudPoint& point);
 
 }  // namespace synthetic_dataset::lidar

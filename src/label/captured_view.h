@@ -11,26 +11,26 @@
 
 namespace synthetic_dataset::label {
 
-/// What a picture is taken of: of the world as it stands now, or, where its rows are taken one
-/// after the other, of the world as it stood at each row's time.
-class TakenView {
+/// What a picture shows: the world as it stands now, or, if its rows are taken one after the other,
+/// the world as it stood at each row's time.
+class CapturedView {
  public:
   /// All references have to outlive this.
-  TakenView(const render::View& view, const world::World& world) : view_(&view), world_(world) {}
-  TakenView(const TakenInRows& rows, const world::World& world) : rows_(&rows), world_(world) {}
+  CapturedView(const render::View& view, const world::World& world) : view_(&view), world_(world) {}
+  CapturedView(const CapturedRows& rows, const world::World& world) : rows_(&rows), world_(world) {}
 
   [[nodiscard]] const CameraModel& camera() const {
     return rows_ != nullptr ? rows_->view.camera : view_->camera;
   }
   [[nodiscard]] cv::Size size() const { return {camera().width(), camera().height()}; }
 
-  /// Null where all is of one time.
-  [[nodiscard]] const TakenInRows* rows() const { return rows_; }
+  /// Null if all rows are of one time.
+  [[nodiscard]] const CapturedRows* rows() const { return rows_; }
 
-  /// Null where each row is of its own time.
+  /// Null if each row is of its own time.
   [[nodiscard]] const render::View* atOnce() const { return view_; }
 
-  /// The links that are there all the time.
+  /// The links that are present all the time.
   [[nodiscard]] const render::LinkSelection& present() const {
     return rows_ != nullptr ? rows_->present : world_.presentLinks();
   }
@@ -58,7 +58,7 @@ class TakenView {
 
  private:
   const render::View* view_ = nullptr;
-  const TakenInRows* rows_ = nullptr;
+  const CapturedRows* rows_ = nullptr;
   const world::World& world_;
 };
 

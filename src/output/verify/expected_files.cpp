@@ -1,4 +1,4 @@
-#include "output/verify/right_files.h"
+#include "output/verify/expected_files.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -38,7 +38,7 @@ void writeFile(const fs::path& file, const DatasetOutput::Content& content) {
 /// Writes the files of a dataset as a whole into a folder.
 class WritingDatasetOutput : public DatasetOutput {
  public:
-  WritingDatasetOutput(const ReadyWriter& writer, const RightFiles& place)
+  WritingDatasetOutput(const ReadyWriter& writer, const ExpectedFiles& place)
       : paths_(absolutePath(writer.parameters().outputFolder())), place_(place) {}
 
   void addFile(const std::string& path, const Content& content) override {
@@ -67,7 +67,7 @@ class WritingDatasetOutput : public DatasetOutput {
   }
 
  private:
-  /// The right file where there is one, else the writer's own.
+  /// The right file if there is one, otherwise the writer's own.
   [[nodiscard]] std::string sourceOf(const std::string& scene_file) const {
     const std::string path = paths_.absolute(scene_file);
     const fs::path right = place_.placeOf(path);
@@ -75,27 +75,27 @@ class WritingDatasetOutput : public DatasetOutput {
   }
 
   ClaimedPaths paths_;
-  const RightFiles& place_;
+  const ExpectedFiles& place_;
 };
 
 }  // namespace
 
-RightFiles::RightFiles(const ReadyWriter& writer) : writer_(writer), folder_(newFolder()) {
+ExpectedFiles::ExpectedFiles(const ReadyWriter& writer) : writer_(writer), folder_(newFolder()) {
   fs::create_directory(folder());
 }
 
-RightFiles::~RightFiles() {
+ExpectedFiles::~ExpectedFiles() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
 
-fs::path RightFiles::placeOf(const std::string& path) const {
+fs::path ExpectedFiles::placeOf(const std::string& path) const {
   const std::string& of_writer = absolutePath(writer_.parameters().outputFolder());
   if (liesWithin(path, of_writer)) return folder() / path.substr(of_writer.size());
   return folder_ / "elsewhere" / fs::path(path).relative_path();
 }
 
-void RightFiles::addScene(const SceneFiles& scene) const {
+void ExpectedFiles::addScene(const SceneFiles& scene) const {
   for (const SceneContent& content : encodeScene(scene.files, {})) {
     const std::string_view bytes = content.bytes();
     for (const std::size_t file : content.files) {
@@ -106,19 +106,19 @@ void RightFiles::addScene(const SceneFiles& scene) const {
   }
 }
 
-void RightFiles::addRight(const std::string& path) const {
+void ExpectedFiles::addRight(const std::string& path) const {
   const fs::path place = placeOf(path);
   fs::create_directories(place.parent_path());
   std::error_code is_there;
   fs::create_symlink(path, place, is_there);
 }
 
-void RightFiles::addDataset(const SceneRecords& records) const {
+void ExpectedFiles::addDataset(const SceneRecords& records) const {
   WritingDatasetOutput output(writer_, *this);
   writer_.finalize(records, output);
 }
 
-std::vector<fs::path> RightFiles::filesOf(const SceneFiles& scene) const {
+std::vector<fs::path> ExpectedFiles::filesOf(const SceneFiles& scene) const {
   std::vector<fs::path> files;
   for (const OutputFile& each : scene.files) files.push_back(placeOf(each.path));
   std::sort(files.begin(), files.end());

@@ -9,16 +9,17 @@
 
 namespace synthetic_dataset::output {
 
-/// A temporary folder with files that a writer should have made, to be read as its own are.
-class RightFiles {
+/// A temporary folder with the files that a writer should have made, so that they can be read in
+/// the same way as the writer's own.
+class ExpectedFiles {
  public:
   /// @param writer  outlives this
-  explicit RightFiles(const ReadyWriter& writer);
-  ~RightFiles();
-  RightFiles(const RightFiles&) = delete;
-  RightFiles& operator=(const RightFiles&) = delete;
+  explicit ExpectedFiles(const ReadyWriter& writer);
+  ~ExpectedFiles();
+  ExpectedFiles(const ExpectedFiles&) = delete;
+  ExpectedFiles& operator=(const ExpectedFiles&) = delete;
 
-  /// Where a file of the writer's lies here.
+  /// The path in this folder for one of the writer's files.
   /// @param path  absolute
   [[nodiscard]] std::filesystem::path placeOf(const std::string& path) const;
 
@@ -26,7 +27,7 @@ class RightFiles {
   /// @throws Error when they cannot be written
   void addScene(const SceneFiles& scene) const;
 
-  /// Adds a file that is right as it is.
+  /// Adds a file that is already right.
   /// @param path  absolute
   void addRight(const std::string& path) const;
 

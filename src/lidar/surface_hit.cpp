@@ -1,10 +1,10 @@
-#include "lidar/met_surface.h"
+#include "lidar/surface_hit.h"
 
 #include "lidar/surface_look.h"
 
 namespace synthetic_dataset::lidar {
 
-Eigen::Vector3d normalOf(const MetSurface& met, const RaySurface& surface,
+Eigen::Vector3d normalOf(const SurfaceHit& met, const RaySurface& surface,
                          const Eigen::Vector3d& direction_W) {
   const SurfacePlace place{met.hit.triangle, met.hit.b1, met.hit.b2};
   const Eigen::Matrix3d R_WV = met.R_WB * surface.X_BV.linear();

@@ -9,15 +9,15 @@
 
 namespace synthetic_dataset::output {
 
-/// A run as its writers saw it, by its manifest.
-class TrueScenes {
+/// A run as its writers saw it, reconstructed from its manifest.
+class ReconstructedScenes {
  public:
-  explicit TrueScenes(const RunDescription& run);
+  explicit ReconstructedScenes(const RunDescription& run);
 
   [[nodiscard]] const DatasetInfo& dataset() const { return dataset_; }
 
-  /// What in a scene the run knows nothing of, such as a camera: no writer is ever given such a
-  /// scene. Empty for a sound one.
+  /// What in a scene is unknown to the run, such as a camera: no writer is ever given such a scene.
+  /// Empty for a sound one.
   [[nodiscard]] std::string unknownIn(const SceneFacts& facts) const;
 
   /// A scene without `image`, `depth`, `normals` and `optical_flow`.
@@ -26,7 +26,7 @@ class TrueScenes {
 
  private:
   DatasetInfo dataset_;
-  std::vector<std::string> class_texts_;  ///< of each object
+  std::vector<std::string> class_texts_;  ///< one per object
 };
 
 }  // namespace synthetic_dataset::output

@@ -1,4 +1,4 @@
-#include "output/verify/true_scenes.h"
+#include "output/verify/reconstructed_scenes.h"
 
 #include <algorithm>
 #include <map>
@@ -21,7 +21,7 @@ std::string classTextOf(const RunDescription& run, const ObjectInfo& object) {
   return base::parseYaml(setting->second.value, "setting '" + object.name + "/class'").text();
 }
 
-/// Where the entries of `motions` have them alone, which all have the same.
+/// The lidars if they are only set in the entries of `motions`, which all have the same ones.
 std::vector<LidarDescription> lidarsOfMotions(const RunDescription& run) {
   std::vector<LidarDescription> lidars;
   const auto motions = run.settings.find("motions");
@@ -36,7 +36,7 @@ std::vector<LidarDescription> lidarsOfMotions(const RunDescription& run) {
   return lidars;
 }
 
-/// The run's lidars, by their settings.
+/// The run's lidars, according to its settings.
 std::vector<LidarDescription> lidarsOf(const RunDescription& run) {
   const std::string begin = "lidars/";
   const std::string end = "/frame_id";
@@ -54,7 +54,7 @@ std::vector<LidarDescription> lidarsOf(const RunDescription& run) {
   return lidars;
 }
 
-/// What the facts say of an object; what they do not say stays unknown.
+/// Copies what the facts say about an object; the rest stays unknown.
 void addMeasures(const ObjectFacts& facts, const Pose& X_CG, SceneObject& object) {
   object.X_GO = facts.X_GO;
   object.X_CO.reset();
@@ -81,7 +81,7 @@ void addMeasures(const ObjectFacts& facts, const Pose& X_CG, SceneObject& object
   if (facts.visible_mask) object.visible_mask = *facts.visible_mask;
 }
 
-/// Masks that are parts of one map, put together again.
+/// Reassembles the instance map from the objects' visible masks.
 cv::Mat instanceMapOf(const Scene& scene) {
   cv::Mat map(scene.camera.height(), scene.camera.width(), CV_16UC1, cv::Scalar(0));
   for (const SceneObject& object : scene.objects) {
@@ -91,7 +91,7 @@ cv::Mat instanceMapOf(const Scene& scene) {
   return map;
 }
 
-/// The classes of what is seen, by their indices from 1.
+/// The classes of what is visible, as indices from 1.
 cv::Mat classMapOf(const Scene& scene, const cv::Mat& instances, const DatasetInfo& dataset) {
   cv::Mat map(instances.size(), CV_16UC1, cv::Scalar(0));
   for (const SceneObject& object : scene.objects) {
@@ -102,7 +102,7 @@ cv::Mat classMapOf(const Scene& scene, const cv::Mat& instances, const DatasetIn
   return map;
 }
 
-/// A map of links' classes or parts; 0 all over where none of them is seen.
+/// A map of the links' classes or parts; 0 everywhere if none of them is visible.
 cv::Mat linkMapOf(const SceneFacts& facts, const std::string& name) {
   const auto known = facts.link_maps.find(name);
   return known != facts.link_maps.end()
@@ -112,7 +112,7 @@ cv::Mat linkMapOf(const SceneFacts& facts, const std::string& name) {
 
 }  // namespace
 
-TrueScenes::TrueScenes(const RunDescription& run) {
+ReconstructedScenes::ReconstructedScenes(const RunDescription& run) {
   std::map<int, std::string> class_names;
   for (const auto& each : run.classes) {
     dataset_.classes.push_back({each.id, each.name});
@@ -154,7 +154,7 @@ TrueScenes::TrueScenes(const RunDescription& run) {
   });
 }
 
-std::string TrueScenes::unknownIn(const SceneFacts& facts) const {
+std::string ReconstructedScenes::unknownIn(const SceneFacts& facts) const {
   const auto isNamed = [](const auto& list, const std::string& name) {
     return std::any_of(list.begin(), list.end(),
                        [&](const auto& each) { return each.name == name; });
@@ -177,7 +177,7 @@ std::string TrueScenes::unknownIn(const SceneFacts& facts) const {
   return "";
 }
 
-Scene TrueScenes::scene(const SceneFacts& facts) const {
+Scene ReconstructedScenes::scene(const SceneFacts& facts) const {
   Scene scene(facts.camera_model.value());
   scene.index = facts.index;
   scene.instant = facts.instant;
