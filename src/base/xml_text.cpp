@@ -80,14 +80,17 @@ class DocumentType {
     }
     readEntities(text_.substr(begin_, end - begin_));
     for (std::size_t at = result.find('&', end); at != std::string::npos;
-         at = result.find('&', at + 1)) {
+         at = result.find('&', at)) {
       const std::size_t last = result.find(';', at);
       const auto entity = last == std::string::npos
                               ? entities_.end()
                               : entities_.find(result.substr(at + 1, last - at - 1));
-      if (entity == entities_.end()) continue;
+      if (entity == entities_.end()) {
+        ++at;
+        continue;
+      }
       result.replace(at, last + 1 - at, entity->second);
-      at += entity->second.size() - (entity->second.empty() ? 0 : 1);
+      at += entity->second.size();
       if (result.size() > kMostGrowth + text_.size()) return text_;  // which is then refused
     }
     return result;

@@ -125,8 +125,6 @@ bool isTimestamp(const std::string& text) {
 }
 
 Value plainScalar(const std::string& text) {
-  // No number is longer; std::regex (libstdc++) recurses for each character that it matches.
-  constexpr std::size_t kLongestNumber = 400;
   if (text.size() > kLongestNumber) return text;
   if (const auto value = asBool(text)) return *value;
   if (const auto value = asFloat(text)) return *value;

@@ -36,7 +36,7 @@ std::string commonFolderOf(const Value::Map& settings) {
   std::vector<std::string> errors;
   const auto folder = settings.find("output_folder");
   const auto* text = folder == settings.end() ? nullptr : folder->second.as<std::string>();
-  if (text == nullptr) {
+  if (text == nullptr || text->empty()) {
     errors.emplace_back(
         "output_folder: missing; with twin/output: both it should name the folder in which `real` "
         "and `synthetic` are made");

@@ -32,6 +32,13 @@ TEST(XmlText, SaysWhatIsNoXml) {
   EXPECT_EQ("cannot be read as XML (XML_ERROR_EMPTY_DOCUMENT)", faultOf(""));
 }
 
+TEST(XmlText, ExpandsEntitiesNextToOneAnother) {
+  tinyxml2::XMLDocument document;
+  const std::string type = "<!DOCTYPE a [<!ENTITY none ''><!ENTITY one 'x'>]>";
+  EXPECT_FALSE(parseXml(document, type + "<a>&none;&none;&one;&one;&lt;</a>"));
+  EXPECT_STREQ("xx<", document.RootElement()->GetText());
+}
+
 TEST(XmlText, RefusesWhatNestsWithoutBound) {
   std::string text;
   for (int i = 0; i < 50000; ++i) text += "<a>";

@@ -193,5 +193,7 @@ def random_of(*names: Any) -> random.Random:
 def wait_for(condition: Callable[[], bool], process: 'subprocess.Popen[str]') -> None:
     """Waits until the condition holds or the process has ended."""
     deadline = time.monotonic() + TIMEOUT
-    while not condition() and process.poll() is None and time.monotonic() < deadline:
+    while not condition() and process.poll() is None:
+        if time.monotonic() > deadline:
+            raise TimeoutError(f'what was waited for did not happen within {TIMEOUT} s')
         time.sleep(POLL)

@@ -14,6 +14,7 @@
 #include "output/verify/dataset_verifier.h"
 #include "run_fixture.h"
 #include "support/bag_builder.h"
+#include "support/error_messages.h"
 
 namespace synthetic_dataset::run {
 namespace twin_test {
@@ -285,6 +286,16 @@ TEST_F(Twin, DrawsTheSameInstants) {
   const std::string first = "boxes/images/train/" + number(0) + ".png";
   EXPECT_GT(cv::mean(decoded(made.at("synthetic").at(first)))[0], 1.2 * cv::mean(picture(0))[0])
       << "effects are those of the drawn pictures";
+}
+
+TEST_F(Twin, NeedsAFolderForBothDatasets) {
+  parameters["twin"] = yaml("{output: both}");
+  for (const std::string folder : {"", "missing"}) {
+    parameters["output_folder"] = Value(folder);
+    if (folder == "missing") parameters.erase("output_folder");
+    EXPECT_THAT(test::messagesOf([&] { (void)config::twinRuns(Value(parameters)); }),
+                ElementsAre(HasSubstr("output_folder: missing; with twin/output: both")));
+  }
 }
 
 TEST_F(Twin, RefusesPicturesThatDoNotFitBeforeTheFirstScene) {

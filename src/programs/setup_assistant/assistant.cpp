@@ -120,7 +120,9 @@ void Assistant::addLiveRoutes() {
   get("/api/world", [this](const HttpRequest&) { return live_->world(); });
   get("/api/placement", [this](const HttpRequest&) { return live_->placement(); });
   get("/api/model", [this](const HttpRequest& request) { return live_->model(request); });
-  post("/api/pick", [this](const Value& body) { return live_->pick(body); });
+  routes_["POST /api/pick"] = [this](const HttpRequest& request) {
+    return jsonResponse(live_->pick(request));
+  };
 }
 
 void Assistant::addRunRoutes() {

@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +144,26 @@ TEST(Assistant, ReadsWhatAClickOnAModelMeans) {
   EXPECT_NEAR(0.2, *p[0].as<double>(), 1e-3);  // the box of 0.4 m, seen from its +x
   click["x"] = 1.0;
   EXPECT_TRUE(memberOf(open.post("/api/pick", click), "p").isNull());
+}
+
+TEST(Assistant, AnswersAllPagesThatAskAtTheSameTime) {
+  OpenAssistant open;
+  std::vector<std::future<int>> statuses;
+  for (int page = 0; page < 8; ++page) {
+    statuses.push_back(std::async(std::launch::async, [&open, page] {
+      HttpRequest request;
+      request.method = "GET";
+      request.path = "/api/model";
+      request.query = {{"object", "alpha"}, {"width", "64"}};
+      request.headers["x-page"] = std::to_string(page);
+      try {
+        return open.assistant.answer(request).status;
+      } catch (const HttpError& error) {
+        return error.status();
+      }
+    }));
+  }
+  for (std::future<int>& status : statuses) EXPECT_EQ(200, status.get());
 }
 
 TEST(Assistant, ShowsEachProblemAtItsField) {

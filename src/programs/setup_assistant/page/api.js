@@ -18,21 +18,26 @@ async function answerOf(response) {
   throw new Refused(response.status, message);
 }
 
+// Identifies this page, so that the server refuses a waiting request only for a later one of the same page.
+const PAGE = {
+  'X-Page': Math.random().toString(36).slice(2)
+};
+
 export async function get(path, query = {}, options = {}) {
   const given = Object.entries(query).filter(([, value]) => value !== undefined && value !== null);
   const text = new URLSearchParams(given).toString();
-  return answerOf(await fetch(text ? `${path}?${text}` : path, options));
+  return answerOf(await fetch(text ? `${path}?${text}` : path, {headers: PAGE, ...options}));
 }
 
 export async function getPicture(path, query) {
-  const response = await fetch(`${path}?${new URLSearchParams(query)}`);
+  const response = await fetch(`${path}?${new URLSearchParams(query)}`, {headers: PAGE});
   return response.ok ? response.blob() : answerOf(response);
 }
 
 export async function post(path, body = {}) {
   return answerOf(await fetch(path, {
     method: 'POST',
-    headers: {'Content-Type': 'application/json'},
+    headers: {'Content-Type': 'application/json', ...PAGE},
     body: JSON.stringify(body),
   }));
 }

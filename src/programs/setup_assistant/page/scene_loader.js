@@ -13,9 +13,6 @@ export const scene = {
   count: 0
 };
 
-// Identifies this page to the server, so that pages do not displace each other's requests.
-const page = Math.random().toString(36).slice(2);
-
 let asked = null;
 let shown = null;
 
@@ -36,7 +33,6 @@ async function load() {
       instant: currentInstant(),
       camera: currentCamera(),
       revision: store.state.revision,
-      view: page,
     });
     const url = view.layer === 'picture' ? value.picture : value[view.layer] ?? value.picture;
     const response = await fetch(url);

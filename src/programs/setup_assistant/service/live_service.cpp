@@ -187,8 +187,9 @@ Value LiveService::model(const HttpRequest& request) {
       [this, request](run::LiveRun& live) { return modelView(live, request, pictures_); });
 }
 
-Value LiveService::pick(const Value& body) {
-  return latest("pick", {}, [body](run::LiveRun& live) { return pickView(live, body); });
+Value LiveService::pick(const HttpRequest& request) {
+  return latest("pick", request,
+                [body = bodyOf(request)](run::LiveRun& live) { return pickView(live, body); });
 }
 
 HttpResponse LiveService::picture(const std::string& name) const {
@@ -204,8 +205,7 @@ HttpResponse LiveService::picture(const std::string& name) const {
 
 Value LiveService::latest(const std::string& kind, const HttpRequest& request,
                           const LiveWorker::Job& job) {
-  const std::string page = request.parameter("view").value_or("");
-  return worker_.ask(kind + " of " + page, withSettings(job)).get();
+  return worker_.ask(kind + " of " + request.header("x-page"), withSettings(job)).get();
 }
 
 Value LiveService::once(const std::string& kind, const LiveWorker::Job& job) {

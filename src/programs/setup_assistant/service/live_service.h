@@ -42,12 +42,12 @@ class LiveService {
   [[nodiscard]] Value world();
   [[nodiscard]] Value placement();
   [[nodiscard]] Value model(const HttpRequest& request);
-  [[nodiscard]] Value pick(const Value& body);
+  [[nodiscard]] Value pick(const HttpRequest& request);
   [[nodiscard]] HttpResponse picture(const std::string& name) const;
 
  private:
   /// Has a job done with the current settings and waits for it. Of waiting jobs of one kind and
-  /// page, only the latest is done.
+  /// page, which the header X-Page names, only the latest is done.
   [[nodiscard]] Value latest(const std::string& kind, const HttpRequest& request,
                              const LiveWorker::Job& job);
 
