@@ -228,7 +228,7 @@ BopModels readBopModels(Parameters& parameters, const DatasetInfo& dataset) {
       parameters.group("obj_ids").addError(
           name, "found " + std::to_string(id) + ", the number of '" +
                     dataset.objects[known->second.object].name +
-                    "', whose model is another; only objects of the same model may share one");
+                    "', whose model is different; only objects of the same model may share one");
     }
     if (symmetries.has(name)) readSymmetries(symmetries.group(name), models.by_id[id]);
   }

@@ -132,8 +132,8 @@ class BopWriter : public LabelWriter {
     output.addImage(image.folder + "/depth/" + name + ".png", depth.pixels);
     if (depth.is_cut_off) {
       output.addWarning(
-          "something is farther than `depth_scale` lets a depth image say; there it "
-          "holds 0, which stands for no depth");
+          "something is farther than a depth image can hold with this `depth_scale`; it "
+          "holds 0 there, which means no depth");
     }
     std::map<int, int> target_counts;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {

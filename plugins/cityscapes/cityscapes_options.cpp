@@ -88,7 +88,7 @@ CityscapesOptions readCityscapesOptions(Parameters& parameters,
       parameters.addError("label_ids", "found " + std::to_string(id) + " for the class '" +
                                            each.name + "'; it should be 1 to " +
                                            std::to_string(kGreatestLabel) +
-                                           ": instances are numbered from 1000 times that on, "
+                                           ": instances are numbered from 1000 times that, "
                                            "in 16 bits");
     }
     if (id == options.world_id && id <= kGreatestLabel) {

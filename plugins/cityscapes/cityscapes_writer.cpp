@@ -104,7 +104,7 @@ class CityscapesWriter : public LabelWriter {
       const bool is_single = number < kCityscapesInstances;
       if (!is_single) {
         output.addWarning(
-            "more than 1000 objects of one label in an image: those after them are "
+            "more than 1000 objects of one label in an image: the rest are "
             "written as a group");
       }
       values.at(static_cast<std::size_t>(object.instance)) = {

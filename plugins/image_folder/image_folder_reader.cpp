@@ -166,7 +166,7 @@ cv::Mat flowOf(const fs::path& u_file, const fs::path& v_file) {
   if (parts[0].size() != parts[1].size() || parts[0].type() != CV_32FC1 ||
       parts[1].type() != CV_32FC1) {
     throw Error("'" + u_file.string() + "': it and '" + v_file.string() +
-                "' should be of 32 bits and a size");
+                "' should have 32 bits and the same size");
   }
   cv::Mat both;
   cv::merge(parts, both);

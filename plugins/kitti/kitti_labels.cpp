@@ -124,8 +124,8 @@ std::string labels(const Scene& scene, const KittiOptions& options, Benchmark be
   }
   if (is_tilted) {
     output.addWarning(
-        "an object is tilted against the camera by more than 1 degree: KITTI's labels have its "
-        "rotation about the camera's y axis alone");
+        "an object is tilted against the camera by more than 1 degree: KITTI's labels have only "
+        "its rotation about the camera's y axis");
   }
   return lines;
 }

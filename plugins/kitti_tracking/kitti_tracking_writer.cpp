@@ -34,7 +34,7 @@ class KittiTrackingWriter : public LabelWriter {
     options_ = readKittiOptions(parameters, dataset);
     if (options_.velodyne) {
       parameters.addError("velodyne",
-                          "found 'depth', of which only synthetic_dataset/Kitti makes points; it "
+                          "found 'depth', from which only synthetic_dataset/Kitti makes points; it "
                           "should be none or a lidar's name");
     }
     warnOfUnknownTypes(parameters);

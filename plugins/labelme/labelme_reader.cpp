@@ -41,7 +41,7 @@ LabelledPicture readScene(const WrittenScene& scene) {
     LabelledPicture picture{readPicture(image, cv::IMREAD_COLOR), {}};
     for (const json& shape : content.at("shapes")) {
       if (shape.at("shape_type") == "rectangle" && shape.at("points").size() != 2) {
-        throw Error("'" + file.string() + "': found a rectangle that has not two corners");
+        throw Error("'" + file.string() + "': found a rectangle that does not have two corners");
       }
       picture.labels.push_back(labelOf(shape));
     }

@@ -105,7 +105,7 @@ std::string nuScenesChannel(const std::vector<CameraDescription>& cameras, std::
 std::size_t nuScenesSequence(const DatasetInfo& dataset, const Scene& scene) {
   const std::vector<std::string> splits = dataset.splitFolders();
   const auto split = std::find(splits.begin(), splits.end(), scene.splitFolder());
-  if (split == splits.end()) throw Error("the scene is in a split that the dataset has not");
+  if (split == splits.end()) throw Error("the scene is in a split that the dataset does not have");
   const std::vector<MotionInfo>& motions = dataset.motions;
   return static_cast<std::size_t>(split - splits.begin()) *
              std::max<std::size_t>(motions.size(), 1) +

@@ -90,7 +90,7 @@ std::optional<std::string> sceneNameProblem(const DatasetInfo& dataset) {
     if (needed <= most) continue;
     return "found " + std::to_string(needed) + " nuScenes scenes for " + list + " (one a motion " +
            "and split); it should be " + std::to_string(most) + " at most, for which the devkit " +
-           "has names: fewer motions in a dataset would do";
+           "has names: fewer motions in a dataset would help";
   }
   return std::nullopt;
 }

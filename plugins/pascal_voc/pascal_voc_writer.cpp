@@ -168,7 +168,7 @@ class PascalVocWriter : public LabelWriter {
                    SceneOutput& output) const {
     if (objects.size() > kMostVocIndices) {
       output.addWarning(
-          "SegmentationObject can tell 254 objects of an image apart: those after them are void");
+          "SegmentationObject can tell 254 objects of an image apart: the rest are void");
     }
     const VocPictures pictures =
         vocPictures(scene, objects, classes_, world_classes_.size(), options_.void_border);

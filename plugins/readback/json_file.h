@@ -21,7 +21,7 @@ template <class Integer = int>
   const auto number = value.get<double>();
   const bool fits = value.is_number_integer() && number >= static_cast<double>(Limits::min()) &&
                     number <= static_cast<double>(Limits::max());
-  if (!fits) throw UnfitJson("found the number " + value.dump() + " where none such can be");
+  if (!fits) throw UnfitJson("found the number " + value.dump() + " where no such number can be");
   return value.get<Integer>();
 }
 

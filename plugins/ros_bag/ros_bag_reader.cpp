@@ -79,8 +79,8 @@ fs::path bagIn(const fs::path& folder) {
   }
   if (bags.empty()) {
     throw Error("'" + folder.string() +
-                "': no bag is there; only it says what the numbers in the " +
-                "pictures of instances are (a run that was stopped leaves none)");
+                "': no bag is there; only a bag says what the numbers in the " +
+                "pictures of instances mean (a run that was stopped leaves none)");
   }
   return *std::min_element(bags.begin(), bags.end());
 }

@@ -45,7 +45,7 @@ Sequences::Sequences(const DatasetInfo& dataset, std::int64_t first_frame)
 
 std::size_t Sequences::sequenceOf(const Scene& scene) const {
   const auto split = std::find(splits_.begin(), splits_.end(), scene.splitFolder());
-  if (split == splits_.end()) throw Error("the scene is in a split that the dataset has not");
+  if (split == splits_.end()) throw Error("the scene is in a split that the dataset does not have");
   std::size_t motion = motions_.size() - 1;
   while (motion > 0 && motions_[motion].first_instant > scene.instant) --motion;
   const auto place = static_cast<std::size_t>(split - splits_.begin());

@@ -25,8 +25,8 @@ struct DatasetYaml {
 DatasetYaml readYaml(const fs::path& file) {
   DatasetYaml yaml;
   if (!fs::exists(file)) {
-    throw Error("'" + file.string() + "': no such file; only it says what the labels' numbers " +
-                "are (a run that was stopped leaves none)");
+    throw Error("'" + file.string() + "': no such file; only this says what the labels' numbers " +
+                "mean (a run that was stopped leaves none)");
   }
   bool is_name = false;
   for (const std::string& line : readLines(file)) {

@@ -135,8 +135,8 @@ class UltralyticsYoloWriter : public LabelWriter {
       parameters.addError("flip_idx", "found " + parameters.required<Value>("flip_idx").text() +
                                           "; it should be the numbers from 0 to " +
                                           std::to_string(yaml_.keypoint_count) +
-                                          " - 1, each once: a keypoint's partner in a mirror, "
-                                          "whose own partner it is");
+                                          " - 1, each once: each keypoint's mirror partner, "
+                                          "and vice versa");
       return;
     }
     for (std::size_t i = 0; i < given.size(); ++i) {

@@ -77,8 +77,8 @@ class YoloWriter : public LabelWriter {
       labels += line;
       if (!line.empty() && !isNumber(yoloClass(object, options_))) {
         output.addWarning(
-            "a class is a text, and Darknet reads none of an image's labels from there on; "
-            "nn_data_collection's readers want it so, Darknet wants `class: number`");
+            "a class is a text, and Darknet ignores an image's labels from there on; "
+            "nn_data_collection's readers need it so, Darknet needs `class: number`");
       }
     }
 

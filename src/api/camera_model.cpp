@@ -99,7 +99,7 @@ CameraModel::CameraModel(int width, int height, const Intrinsics& intrinsics, do
   }
   if (!positive(near) || !std::isfinite(far) || far <= near) {
     throw Error("range of sight: found near " + fixed(near, 3) + " m, far " + fixed(far, 3) +
-                " m; it should hold that 0 < near < far");
+                " m; 0 < near < far should hold");
   }
   checkDistortion(distortion);
   largest_angle_ = lens::largestAngle(distortion);

@@ -133,7 +133,7 @@ Distortion makeDistortion(const std::string& name, const std::vector<double>& co
   }
   if (named->model == DistortionModel::kNone && !all_zero) {
     throw Error("distortion_coefficients: found numbers other than 0 with the distortion_model '" +
-                name + "'; they should be 0, or the model be named");
+                name + "'; they should be 0, or the model should be named");
   }
   const LensModel& model = byLength(*named, coefficients);
   if (all_zero && !model.bends_without_coefficients) return {};

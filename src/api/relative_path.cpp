@@ -24,7 +24,7 @@ std::optional<std::string> partProblem(std::string_view part) {
   if (part.empty()) return "it has an empty part";
   if (part == "." || part == "..") return "it may not have '.' or '..' as a part";
   if (part.size() > kLongestName) return "a part of it is longer than 255 bytes";
-  if (isTemporaryName(part)) return "names like '.x.tmp' are kept for files being written";
+  if (isTemporaryName(part)) return "names like '.x.tmp' are reserved for files being written";
   return std::nullopt;
 }
 

@@ -237,7 +237,7 @@ WrittenFiles TestedWriter::write(const Scene& scene) {
   TestedSceneOutput second;
   writer_.writeScene(given, second);
   if (!areEqual(first.written, second.written)) {
-    throw Error("the writer made something else of scene " + scene.name + " when asked again");
+    throw Error("the writer made different output for scene " + scene.name + " when asked again");
   }
   scenes_[scene.index] = first.written;
   return first.written;

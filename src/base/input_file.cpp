@@ -52,9 +52,9 @@ std::string textFault(std::string_view bytes) {
   if (!compressed.empty()) return compressed;
   const std::string_view mark = bytes.substr(0, 2);
   if (mark == "\xff\xfe" || mark == "\xfe\xff") {
-    return "is UTF-16; it should be UTF-8, as which editors can save it";
+    return "is UTF-16; it should be UTF-8, which editors can save";
   }
-  return bytes.find('\0') == std::string_view::npos ? "" : "is no text file";
+  return bytes.find('\0') == std::string_view::npos ? "" : "is not a text file";
 }
 
 std::string didYouMeanFile(const fs::path& file) {

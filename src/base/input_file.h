@@ -53,7 +53,7 @@ class InputWatch {
 /// @param start  the first bytes, at least four if the file has that many
 [[nodiscard]] std::string compressionFault(std::string_view start);
 
-/// compressionFault(), and also "is UTF-16; ..." and "is no text file".
+/// compressionFault(), and also "is UTF-16; ..." and "is not a text file".
 [[nodiscard]] std::string textFault(std::string_view bytes);
 
 /// Whether a message says that something is a pipe or a device: such a path is never skipped as a

@@ -112,7 +112,7 @@ Value parseJson(const std::string& text, const std::string& origin) {
   try {
     return valueOf(nlohmann::json::parse(text));
   } catch (const nlohmann::json::exception& error) {
-    throw Error(origin + ": found no JSON: " + error.what());
+    throw Error(origin + ": cannot be read as JSON: " + error.what());
   }
 }
 

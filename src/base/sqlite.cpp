@@ -74,8 +74,8 @@ void SqliteDatabase::openForeign() {
   const std::string& file = connection_->file;
   constexpr int kLongest = 1 << 30;  // [byte] of a value
   if (hasContent(file + "-journal")) {
-    throw Error("'" + file + "': a change of it was not finished, which is in " + file +
-                "-journal; `sqlite3 FILE .tables` takes it back");
+    throw Error("'" + file + "': an unfinished change to it is in " + file +
+                "-journal; `sqlite3 FILE .tables` rolls it back");
   }
   const bool has_log = hasContent(file + "-wal");
   open(uriOf(file) + (has_log ? "?vfs=unix-none" : "?immutable=1"),
@@ -96,7 +96,7 @@ void SqliteDatabase::requireTablesOnly() const {
                          "OR sql LIKE 'CREATE VIRTUAL%'");
   if (others.step()) {
     throw Error("'" + connection_->file + "': it has '" + others.text(0) +
-                "', which is no plain table");
+                "', which is not a plain table");
   }
 }
 

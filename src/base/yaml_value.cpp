@@ -76,7 +76,7 @@ class Reader {
 
   void checkSize(const YAML::Node& node, int depth) {
     if (depth > kDeepestNesting) {
-      fail(node.Mark(), std::string(kNestedTooDeep) + " (does it hold itself?)");
+      fail(node.Mark(), std::string(kNestedTooDeep) + " (does it contain itself?)");
     }
     take(1 + (node.IsScalar() ? node.Scalar().size() : 0), node.Mark());
   }
@@ -134,8 +134,9 @@ class Reader {
       if (!key.IsScalar()) continue;
       const auto [first, is_new] = seen.emplace(key.Scalar(), key.Mark());
       if (is_new) continue;
-      remark_(placeOf(key.Mark()) + ": found '" + key.Scalar() + "' a second time; what line " +
-              std::to_string(first->second.line + 1) + " says of it does not count");
+      remark_(placeOf(key.Mark()) + ": found '" + key.Scalar() +
+              "' a second time; its value in line " + std::to_string(first->second.line + 1) +
+              " is ignored");
       first->second = key.Mark();
     }
   }
@@ -160,7 +161,7 @@ class Reader {
     const std::string& text = key.Scalar();
     if (rules_ == Rules::kSettings && !scalar(key).is<std::string>()) {
       fail(key.Mark(),
-           "found the name " + text + ", which YAML does not take for a text; put it in quotes");
+           "found the name " + text + ", which YAML does not read as a text; put it in quotes");
     }
     return text;
   }
@@ -301,15 +302,15 @@ int lineWithTab(const std::string& text) {
     YAML::Mark mark;
     mark.line = line - 1;
     reader.fail(mark,
-                "found a tab in the indentation; YAML takes spaces alone, as many as the lines "
+                "found a tab in the indentation; YAML takes spaces only, as many as the lines "
                 "beside it have");
   }
   const std::string& message = error.msg;
   const bool is_layout =
       message.find("map") != std::string::npos || message.find("sequence") != std::string::npos;
   reader.fail(error.mark,
-              message + (is_layout ? " (is the line indented as the lines of its group are, and is "
-                                     "there a space behind each colon and dash?)"
+              message + (is_layout ? " (is the line indented like the others of its group, and is "
+                                     "there a space after each colon and dash?)"
                                    : ""));
 }
 
@@ -321,7 +322,7 @@ Value parse(const std::string& text, const std::string& origin, Rules rules,
     const auto second = secondDocument(whole);
     const YAML::Node document = YAML::Load(whole);
     if (rules == Rules::kSettings && second) {
-      reader.fail(*second, "a second document begins; settings are a single one");
+      reader.fail(*second, "a second document begins; settings are one document");
     }
     return document.IsNull() ? Value() : reader.convert(document);
   } catch (const YAML::Exception& error) {

@@ -42,8 +42,8 @@ randomize::BackgroundPictures readPictures(Parameters& group) {
   if (pictures.projection == randomize::BackgroundProjection::kPanorama) {
     if (from == randomize::kNatural) {
       group.addError("projection",
-                     "found panorama beside `pictures: natural`; these are pictures as a camera "
-                     "takes them, not such as go all round, so it should be backdrop");
+                     "found panorama beside `pictures: natural`; these are ordinary pictures "
+                     "from a camera, not panoramas, so it should be backdrop");
     }
     pictures.yaw = maybeDistribution(group, "yaw", kTurnRange);
   } else {

@@ -53,7 +53,8 @@ scene::StereoFrame readStereoFrame(Parameters& group, bool is_rectified) {
                                                        {"first", scene::StereoFrame::kFirst},
                                                        {"own", scene::StereoFrame::kOwn}});
   if (!is_rectified) {
-    group.addError("stereo_frame", "found without `rectified: true`, of whose cameras it speaks");
+    group.addError("stereo_frame",
+                   "found without `rectified: true`; it applies to rectified cameras");
   }
   return frame;
 }
@@ -117,7 +118,7 @@ void readTwin(Parameters& group, scene::CameraOptions& camera) {
   camera.image_topic = group.maybe<std::string>("image_topic");
   const auto offset = group.maybeBetween("time_offset", -kLongestOffset, kLongestOffset);
   if (offset && !camera.image_topic) {
-    group.addError("time_offset", "found without image_topic, of whose pictures it speaks");
+    group.addError("time_offset", "found without image_topic, to whose pictures it applies");
   }
   camera.time_offset = base::fromSeconds(offset.value_or(0.0));
   constexpr double kWidest = 0.5;
@@ -181,8 +182,8 @@ void checkIntrinsicsNamed(const scene::CameraOptions& camera, Parameters& above,
   }
   if (!camera.info_file && (camera.info_choice.camera || camera.info_choice.reference)) {
     above.addError(name,
-                   "found info_camera or info_reference without info_file, of whose cameras they "
-                   "choose");
+                   "found info_camera or info_reference without info_file, from whose "
+                   "cameras they choose");
   }
   if (camera.info_file || camera.info_topic || camera.sensor) return;
   above.addError(name, "no intrinsics; " + camera.group +
@@ -206,7 +207,7 @@ std::vector<std::string> folderNames(Parameters& group) {
     }
     group.ignore(name);
     group.addError(
-        name, "is no name for a folder; up to 80 letters, digits, '_', '-' and '.' are allowed");
+        name, "is not a valid folder name; up to 80 letters, digits, '_', '-' and '.' are allowed");
   }
   return good;
 }
@@ -226,7 +227,7 @@ std::vector<scene::CameraOptions> readCameras(Parameters root) {
   if (root.has("camera") || root.has("camera_frame_id")) {
     root.addError("cameras",
                   "found together with camera or camera_frame_id; one camera is set by "
-                  "those, several by cameras alone");
+                  "those, several only by cameras");
     root.ignore("camera");
     root.ignore("camera_frame_id");
   }

@@ -100,7 +100,7 @@ render::RenderOptions readRendering(Parameters& root) {
   rendering.samples = group.optional("samples", rendering.samples);
   if (rendering.samples != 1 && rendering.samples != 4) {
     group.addError("samples", "found " + std::to_string(rendering.samples) +
-                                  "; it should be 1 or 4, which is what Mesa can do");
+                                  "; it should be 1 or 4, which Mesa supports");
     rendering.samples = 4;
   }
   rendering.shadow_map_size =

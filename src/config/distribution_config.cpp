@@ -51,7 +51,7 @@ std::optional<std::string> weightProblem(const std::optional<std::vector<double>
   }
   if (*std::min_element(weights->begin(), weights->end()) < 0.0) return "numbers not below 0";
   if (*std::max_element(weights->begin(), weights->end()) <= 0.0) {
-    return "numbers with one above 0";
+    return "numbers, at least one above 0";
   }
   return std::nullopt;
 }

@@ -162,7 +162,7 @@ SplitConfig readSplit(Parameters root) {
   split.gap = maybeSeconds(group, "gap").value_or(0.0);
   if (split.gap > 0.0 && split.by == SplitBy::kScenes) {
     group.addError("gap", "found " + Value(split.gap).text() +
-                              " with `by: scenes`; there are gaps between blocks alone");
+                              " with `by: scenes`; only blocks have gaps between them");
   }
   return split;
 }

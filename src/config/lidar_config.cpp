@@ -60,7 +60,7 @@ void readBeams(Parameters group, LidarModel& model) {
     const auto last = group.maybeBetween("last", -kUp, kUp);
     if (count == 0 || !first || !last) {
       group.addError("elevations", "missing; it should be a list of " + angles +
-                                       ", or count, first and last should say them");
+                                       ", or count, first and last should give them");
     }
     model.elevations = lidar::evenAngles(std::max(count, 1), first.value_or(0), last.value_or(0));
   }
@@ -107,7 +107,7 @@ LidarModel readModel(Parameters& group) {
     if (!group.has("beams")) {
       group.addError("model", "missing, and so are beams and sensor; it should be one of " +
                                   base::listed(names) +
-                                  ", or beams should say where rays go, or sensor name one of the "
+                                  ", or beams should give the rays, or sensor name one of the "
                                   "world's");
       model.elevations = {0.0};
     }

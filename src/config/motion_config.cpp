@@ -113,7 +113,7 @@ std::vector<std::string> bagsNamed(Parameters& root, const std::vector<std::stri
     const std::vector<std::string> files = matching(absolutePath(name));
     if (files.empty()) {
       root.addError("bag_file", "found no bag like '" + name +
-                                    "'; it should name a file, or a pattern that some have");
+                                    "'; it should name a file, or a pattern that matches some");
     }
     bags.insert(bags.end(), files.begin(), files.end());
   }

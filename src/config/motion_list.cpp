@@ -58,7 +58,7 @@ class Reader {
 
   MotionList read(const Value::List& given) {
     readTotal();
-    if (given.empty()) error("motions: found an empty list; it should have a motion at least");
+    if (given.empty()) error("motions: found an empty list; it should have at least one motion");
     for (std::size_t i = 0; i < given.size(); ++i) readEntry(given[i], i);
     if (list_.entries.empty()) list_.entries.push_back(withoutMotions(run_));
     checkNames();
@@ -141,8 +141,8 @@ class Reader {
         continue;
       }
       group.addError("robot_list", "found '" + name +
-                                       "', which the run's robot_list does not have; there all "
-                                       "objects of all motions are named" +
+                                       "', which the run's robot_list does not have; it should "
+                                       "name all objects of all motions" +
                                        didYouMean(name, {objects_.begin(), objects_.end()}));
     }
   }

@@ -209,7 +209,7 @@ void checkModelArguments(Parameters& group, const scene::ObjectOptions& object) 
   const std::string ending = std::filesystem::path(*object.model).extension();
   if (ending == ".xacro" || ending == ".jinja" || ending == ".j2") return;
   group.addError("model_arguments",
-                 "found together with a model that is no xacro file; only names that end in "
+                 "found together with a model that is not a xacro file; only names that end in "
                  ".xacro, or .jinja, "
                  "take arguments");
 }
@@ -357,8 +357,8 @@ std::vector<scene::ObjectOptions> readObjects(Parameters root) {
       continue;
     }
     if (!root.has(name)) {
-      root.addError("robot_list", "found '" + name + "', of which there is no group" +
-                                      didYouMean(name, root.names()));
+      root.addError("robot_list",
+                    "found '" + name + "', which has no group" + didYouMean(name, root.names()));
       continue;
     }
     objects.push_back(readObject(root, name, when_unknown));

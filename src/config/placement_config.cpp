@@ -57,7 +57,7 @@ void readMap(Parameters& group, randomize::PlacementOptions& placement) {
   placement.map_topic = group.maybe<std::string>("map_topic");
   placement.received_map = group.maybe<Value>("received_map");
   if (placement.received_map && !placement.map_topic) {
-    group.addError("received_map", "found without map_topic, on which it has come");
+    group.addError("received_map", "found without map_topic, on which it was received");
   }
   if (placement.map_file) placement.map_file = absolutePath(*placement.map_file);
   if (placement.map_file && placement.map_topic) {

@@ -54,7 +54,7 @@ std::optional<base::TextChoice> readModels(Parameters& group) {
   for (std::string& model : models->texts) {
     if (model.rfind("param:", 0) == 0 || model.find('<') != std::string::npos) {
       group.addError("model",
-                     "found a model that is no file; where one of several is drawn, each "
+                     "found a model that is not a file; if one of several is drawn, each "
                      "should be the path or URI of an SDF or URDF file");
       return std::nullopt;
     }

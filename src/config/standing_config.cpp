@@ -81,7 +81,7 @@ void checkWorldObjects(Parameters& root) {
     const std::string name = "world_objects/" + std::to_string(i);
     if (!(*entries)[i].is<Value::Map>()) {
       root.addError(name, "found " + (*entries)[i].kind() +
-                              "; it should be such as {class: car, models: \"car_*\"}");
+                              "; it should be a group like {class: car, models: \"car_*\"}");
       continue;
     }
     Parameters entry((*entries)[i], name);

@@ -37,7 +37,7 @@ void checkRandomization(Parameters& root, const scene::SceneOptions& scenes) {
   const std::string reason =
       std::string("found together with ") +
       (scenes.isTwin() ? "image_topic; recorded pictures" : "cloud_topic; recorded clouds") +
-      " show what was there. In a list of motions, give it to the others alone";
+      " show what was there. In a list of motions, give it only to the others";
   Parameters group = root.group("randomize");
   if (!randomization.objects.empty()) group.addError("objects", reason);
   if (randomization.distractors) group.addError("distractors", reason);
@@ -91,7 +91,7 @@ void readMeasured(Parameters& group, scene::RecordedImageOptions& twin) {
     for (const char* const name : {"depth_margin", "depth_margin_growth", "depth_time"}) {
       if (!group.has(name)) continue;
       group.ignore(name);
-      group.addError(name, "found without depth_topic or cloud_topic, of which it speaks");
+      group.addError(name, "found without depth_topic or cloud_topic, to which it applies");
     }
     return;
   }
@@ -125,7 +125,7 @@ scene::RecordedImageOptions readTwinOptions(Parameters root, const scene::SceneO
   const scene::RecordedImageOptions twin = readGroup(root.group("twin"));
   if (!scenes.isTwin()) {
     if (root.has("twin")) {
-      root.addError("twin", "found without a camera's image_topic, of whose pictures it speaks");
+      root.addError("twin", "found without a camera's image_topic, to whose pictures it applies");
     }
     checkTimingLidar(root, scenes);
     return twin;

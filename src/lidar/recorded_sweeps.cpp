@@ -22,7 +22,7 @@ RecordedSweeps::RecordedSweeps(const LidarOptions& lidar, const std::vector<std:
     middles_.push_back(stampOf(i) + (heads[i].times.first + heads[i].times.last) / 2);
   }
   if (clouds_.repeatedCount() > 0) {
-    diagnostics.warning(setting_, "clouds with the stamp of another one are left out",
+    diagnostics.warning(setting_, "clouds with the same stamp as another are left out",
                         clouds_.repeatedCount());
   }
 }

@@ -38,8 +38,8 @@ std::vector<base::Warning> warningsOf(const std::string& group, const LabelledCl
                         std::to_string(made.unknown) + of, made.unknown});
   }
   if (made.too_bright > 0) {
-    warnings.push_back({group + "/full_intensity: points whose recorded intensity is more count as "
-                                "full ones",
+    warnings.push_back({group + "/full_intensity: points with a higher recorded intensity count "
+                                "as full",
                         std::to_string(made.too_bright) + of, made.too_bright});
   }
   return warnings;

@@ -309,7 +309,7 @@ BagContents readContents(const std::vector<std::string>& bag_files,
   const TfTopics tf = findTfTopics(bags);
   if (!tf.note.empty()) contents.notes.push_back(tf.note);
   for (const std::string& topic : tf.ignored) {
-    contents.notes.push_back("TF in " + topic + " is not read (tf_topics names it)");
+    contents.notes.push_back("TF in " + topic + " is not read (tf_topics can name it)");
   }
   SeenFrames seen;
   TransformRecording recording;

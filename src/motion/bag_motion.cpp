@@ -35,7 +35,7 @@ std::string noSceneLeft(const Timeline& timeline, const TimelineOptions& options
 
 std::string ignoredTopics(const std::vector<std::string>& topics) {
   return "the recording has TF in topics that are not read: " + base::listed(topics) +
-         " (tf_topics names them)";
+         " (tf_topics can name them)";
 }
 
 /// The message for a recording without /tf_static; empty otherwise. Static transforms are sent only
@@ -48,7 +48,7 @@ std::string lacksStatic(const BagReader& bags) {
         topic.name.compare(topic.name.size() - ending.size(), ending.size(), ending) == 0;
     if (is_static) return "";
   }
-  return "the recording has no /tf_static: of one in several parts the first alone has it; "
+  return "the recording has no /tf_static: of several parts, only the first has it; "
          "bag_file should name all parts";
 }
 
@@ -204,7 +204,7 @@ void BagMotion::report(const std::vector<FrameId>& frames, base::Diagnostics& di
                         "time goes back in the recording, as when a simulation is reset; it is cut "
                         "there into the stretches " +
                             stretchList(stretches_) + "; scenes come from stretch " +
-                            std::to_string(stretch_) + " (stretch: names another)");
+                            std::to_string(stretch_) + " (stretch: selects another)");
   }
   const std::vector<FrameId> used = withAncestors(frames);
   for (const FrameFinding& finding : findings_) {
@@ -225,7 +225,7 @@ bool BagMotion::isInHole(FrameId frame, Stamp time,
 std::string BagMotion::whenKnown(FrameId frame) const {
   if (global_ == kNoFrame || frame == kNoFrame) return "";
   const std::vector<Validity> times = tree_.knownTimes(global_, frame);
-  if (times.empty()) return "; it is known at no time";
+  if (times.empty()) return "; it is never known";
   return "; it is known " + stretchesText(times, times_.start);
 }
 

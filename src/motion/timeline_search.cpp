@@ -85,7 +85,7 @@ bool Holes::forbid(const std::set<FrameId>& links, Stamp time) {
 }
 
 std::string Holes::message(FrameId child, const Hole& hole) const {
-  std::string text = "TF has nothing of the frame '" + tree_.names().of(child) + "' from " +
+  std::string text = "TF has no data for the frame '" + tree_.names().of(child) + "' from " +
                      secondsOf(hole.gap.from) + " to " + secondsOf(hole.gap.until) + " (" +
                      secondsOf(hole.gap.length()) + "): " + scenesText(hole.scenes) +
                      " in between ";

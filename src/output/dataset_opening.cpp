@@ -228,7 +228,7 @@ void refuseForeignFiles(const ManifestContent& earlier, const std::string& folde
                         const std::vector<StoreWriter>& writers) {
   const std::vector<std::string> foreign = filesOutsideRun(earlier, folder, writers);
   if (foreign.empty()) return;
-  throw Error("the dataset in '" + folder + "' lists files outside of it that are none of this " +
+  throw Error("the dataset in '" + folder + "' lists files outside of it that are not this " +
               "run's (" + firstNames(foreign) +
               "); remove that dataset by hand, or choose another output_folder");
 }

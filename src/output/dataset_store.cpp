@@ -146,7 +146,7 @@ struct DatasetStore::Impl {
 
   void requireSceneFile(std::size_t writer, const std::string& path) {
     if (manifest->isSceneFile(writer, path)) return;
-    throw Error("'" + path + "' is no file that the writer '" + writers[writer].name +
+    throw Error("'" + path + "' is not a file that the writer '" + writers[writer].name +
                 "' made for a scene");
   }
 

@@ -117,7 +117,8 @@ std::vector<std::string> EarlierDataset::datasetsInTheWay(IfExists if_exists, So
   for (const std::string& manifest : shard_ ? shards_ : std::vector<std::string>{}) {
     const std::optional<Shard> other = shardOfManifest(fs::path(manifest).filename().string());
     if (other->count == shard_->count) continue;
-    obstacles.push_back("'" + manifest + "' is a shard of another division; shards of one run " +
+    obstacles.push_back("'" + manifest +
+                        "' is a shard of a run divided differently; shards of one run " +
                         "should have the same shard/count: found " + std::to_string(shard_->count) +
                         " now and " + std::to_string(other->count) + " then");
     break;
@@ -130,9 +131,8 @@ std::vector<std::string> EarlierDataset::obstacles(const std::vector<StoreWriter
   std::vector<std::string> obstacles = datasetsInTheWay(if_exists, source);
   const std::vector<std::string> foreign = foreignFiles(writers);
   if (if_exists == IfExists::kOverwrite && !foreign.empty()) {
-    obstacles.push_back("the dataset in '" + folder_ +
-                        "' lists files outside of it that are none " + "of this run's (" +
-                        firstNames(foreign) +
+    obstacles.push_back("the dataset in '" + folder_ + "' lists files outside of it that are not " +
+                        "this run's (" + firstNames(foreign) +
                         "); remove that dataset by hand, or choose another output_folder");
   }
   for (const StoreWriter& writer : writers) {

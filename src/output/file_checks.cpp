@@ -30,7 +30,7 @@ std::string contentProblem(const std::string& path, const ListedFile& file) {
 const char* kindOf(fs::file_type type) {
   return type == fs::file_type::directory ? "a folder"
          : type == fs::file_type::symlink ? "a symbolic link"
-                                          : "no regular file";
+                                          : "not a regular file";
 }
 
 /// The files beside a manifest that belong to it, and the report page.
@@ -61,14 +61,14 @@ FileFinding checkFile(const std::string& path, const std::string& linked_to, con
   std::error_code error;
   const fs::file_type type = fs::symlink_status(path, error).type();
   if (type == fs::file_type::not_found) return {"is missing", false};
-  if (type == fs::file_type::none) return {"cannot be looked at: " + error.message(), false};
+  if (type == fs::file_type::none) return {"cannot be examined: " + error.message(), false};
   if (type != fs::file_type::regular) {
     return {std::string("is ") + kindOf(type) + "; it should be a file of " +
                 std::to_string(file.bytes) + " bytes",
             false};
   }
   const auto size = static_cast<std::int64_t>(fs::file_size(path, error));
-  if (error) return {"cannot be looked at: " + error.message(), false};
+  if (error) return {"cannot be examined: " + error.message(), false};
   if (size != file.bytes) {
     return {std::string(size < file.bytes ? "is cut short" : "is too long") + ": found " +
                 std::to_string(size) + " bytes; it should have " + std::to_string(file.bytes),
@@ -88,7 +88,7 @@ std::string pathProblem(const ListedFile& file, const WrittenDataset& dataset) {
     return "leads out of the dataset";
   }
   if (path.empty() || path.back() == '/' || absolutePath(path) != path) {
-    return "is no path of a file";
+    return "is not the path of a file";
   }
   // Files of the dataset as a whole may be anywhere, since the user names some of them.
   const auto& writers = dataset.content().writers;

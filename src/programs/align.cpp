@@ -33,7 +33,7 @@ the settings camera/time_offset and camera/correction, with their standard devia
 
   align settings.yaml > aligned.yaml
 
-Exit codes: 0 settings are found, 3 the recording cannot say, 1 a failure.
+Exit codes: 0 settings found, 3 the recording does not determine them, 1 failed.
 )";
 
 }  // namespace

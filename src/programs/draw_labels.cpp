@@ -31,23 +31,23 @@ constexpr const char* kUsage =
        draw_labels --clouds DATASET FOLDER [SCENE...]
        draw_labels --video FILE.mp4 [--rate HZ] DATASET [WRITER]
 
-Draws the labels that the files of a dataset contain on its images, and clouds of lidars from above and
-as range images.
+Draws the labels that the files of a dataset contain on its images, and lidar clouds from
+above and as range images.
 
   DATASET   the folder of the run's manifest
   PICTURE   the picture to make, .png or .jpg
-  SCENE     the scene's index, from 0; without it, the one in the middle
+  SCENE     the scene's index, from 0; without it, the middle scene
   WRITER    the name of the writer to draw; without it, a panel for each
-  --all     a picture of each scene, in FOLDER, which is made or empty
-  --clouds  a picture of each sweep of these scenes, or of all, in FOLDER, which is made or empty;
+  --all     a picture of each scene, in FOLDER, which is new or empty
+  --clouds  a picture of each sweep of these scenes, or of all, in FOLDER, which is new or empty;
             prints a line of JSON for each, with its numbers
-  --video   a film of all scenes, by ffmpeg
-  --rate    pictures a second of the film, 10 by default
+  --video   a video of all scenes, made by ffmpeg
+  --rate    pictures per second of the video, 10 by default
   --help    prints this
 
   draw_labels --video run.mp4 datasets/example coco
 
-Exit codes: 0 done, 1 something cannot be read or written, 2 a wrong usage.
+Exit codes: 0 done, 1 something cannot be read or written, 2 wrong usage.
 )";
 
 struct Arguments {
@@ -117,8 +117,8 @@ void writePicture(const std::string& file, const cv::Mat& picture) {
   }
   if (!is_written) {
     throw Error("PICTURE: '" + file +
-                "' cannot be written; it should end in .png or .jpg, in a "
-                "folder that is there");
+                "' cannot be written; it should end in .png or .jpg, in an "
+                "existing folder");
   }
 }
 
@@ -217,7 +217,7 @@ void drawClouds(const std::vector<std::string>& names) {
       ++drawn;
     }
   }
-  if (drawn == 0) throw Error("'" + names[0] + "': these scenes have no clouds of lidars");
+  if (drawn == 0) throw Error("'" + names[0] + "': these scenes have no lidar clouds");
 }
 
 void drawVideo(const Arguments& arguments) {

@@ -28,13 +28,14 @@ constexpr const char* kUsage =
        inspect [--json] MODEL
        inspect --urdf BAG...
 
-Prints what there is in recordings, bags of ROS 1 or ROS 2 (the frames with their rates,
-times and gaps, and how far each travels; topics; which frames look like robots and
-cameras; robot_description there and on the parameter server), in a world (models, sizes, lights, cameras) or in a
-model (links and joints): an SDF, URDF or xacro file, or a folder with a model.config.
+Prints what is in recordings, ROS 1 or ROS 2 bags (the frames with their rates, times and
+gaps, and how far each travels; topics; which frames look like robots and cameras;
+robot_description there and on the parameter server), in a world (models, sizes, lights,
+cameras) or in a model (links and joints): an SDF, URDF or xacro file, or a folder with a
+model.config.
 
   --json  for programs; lengths in metres, times in seconds
-  --urdf  the robot's model that a recording has on a topic robot_description
+  --urdf  prints the robot model that a recording has on a topic robot_description
   --help  prints this
 
   inspect my.bag
@@ -55,7 +56,7 @@ void printUrdf(const motion::BagContents& contents) {
   }
   std::cout << contents.descriptions.front().urdf << '\n';
   for (std::size_t i = 1; i < contents.descriptions.size(); ++i) {
-    std::cerr << base::printable("inspect: that of " + contents.descriptions.front().topic + "; " +
+    std::cerr << base::printable("inspect: printed " + contents.descriptions.front().topic + "; " +
                                  contents.descriptions[i].topic + " has another one\n");
   }
 }
@@ -64,7 +65,7 @@ int inspect(const std::vector<std::string>& files, const Options& options) {
   const bool as_json = options.as_json;
   const bool are_bags = std::all_of(files.begin(), files.end(), motion::isBagPath);
   if (options.urdf && !are_bags)
-    throw Error("--urdf: found what is no bag (.bag, .db3, .mcap, or a folder of these)");
+    throw Error("--urdf: found a file that is not a bag (.bag, .db3, .mcap, or a folder of these)");
   if (are_bags) {
     const motion::BagContents contents = motion::readContents(files);
     if (options.urdf) {

@@ -20,8 +20,8 @@ using namespace synthetic_dataset;
 constexpr const char* kUsage =
     R"(usage: merge OUTPUT_FOLDER [SHARD_FOLDER...]
 
-Makes one dataset of the shards of a run. Without SHARD_FOLDER the shards lie in
-OUTPUT_FOLDER itself. Killed, the same command goes on.
+Makes one dataset of the shards of a run. Without SHARD_FOLDER, the shards are those in
+OUTPUT_FOLDER itself. After a kill, the same command continues.
 
   --help  prints this
 

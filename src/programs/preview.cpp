@@ -25,8 +25,8 @@ namespace {
 
 const char* const kUsage = R"(usage: preview [ROS remappings]
 
-Shows the scenes of a run on topics: images, depth, labels, markers for RViz. It is a node, whose
-settings are those of `generate`; the parameter `settings_file` names the file that has them.
+Shows the scenes of a run on topics: images, depth, labels, markers for RViz. A node with the
+settings of `generate`, from the file that its parameter `settings_file` names.
 
   roslaunch synthetic_dataset preview.launch config:=my.yaml
 

@@ -81,7 +81,7 @@ std::vector<std::string> formatsOf(const programs::StartLine& line) {
 /// Writes a file, but never over an existing one.
 void writeNew(const std::string& file, const std::string& text) {
   if (fs::exists(fs::symlink_status(file))) {
-    throw Error("-o: '" + file + "' is there already; another name would be right");
+    throw Error("-o: '" + file + "' already exists; choose another name");
   }
   std::ofstream stream(file);
   if (!(stream << text << std::flush)) throw Error("-o: '" + file + "' cannot be written");

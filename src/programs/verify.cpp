@@ -69,16 +69,16 @@ constexpr const char* kUsage =
 
 Checks datasets against their manifests, file by file and label by label. DATASET is the
 folder of a run's manifest, or of those of its shards. Prints a line for each problem;
-lines that begin with `note:` are none.
+lines that begin with `note:` are not problems.
 
-  --quick   checks that all files are there and have their sizes, and no labels
+  --quick   checks that all files exist with the right size, but no labels
   --redraw  also draws all scenes again and compares them with the files; needs all inputs
             where they were, such as bags and worlds, and takes as long as the run did
   --help    prints this
 
   verify /data/run_7
 
-Exit codes: 0 no problem, 1 some, 2 a wrong usage.
+Exit codes: 0 no problem, 1 some, 2 wrong usage.
 )";
 
 int wrongUsage() {

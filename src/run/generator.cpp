@@ -28,7 +28,7 @@ std::string whenMade(const MotionSetup& motion) {
            fixed(1.0 / motion.config.motion.rate, 4) + " s (median)";
   }
   return " from " + startOf(motion) + " s on, every " + fixed(1.0 / motion.config.motion.rate, 4) +
-         " s" + (motion.timeline.jitter.empty() ? "" : " but for randomize/time/jitter");
+         " s" + (motion.timeline.jitter.empty() ? "" : " except for randomize/time/jitter");
 }
 
 std::string rangeOf(const MotionSetup& motion) {
@@ -96,7 +96,7 @@ void reportPlan(const RunSetup& setup, const DatasetSink& dataset, std::int64_t 
     reporter.info(std::string(setup.config.output.shard ? "the shard" : "the dataset") +
                   " is complete already: there is nothing to do");
   } else if (there > 0) {
-    reporter.info("going on: " + std::to_string(there) + " of these scenes are there already");
+    reporter.info("resuming: " + std::to_string(there) + " of these scenes exist already");
   }
 }
 

@@ -14,9 +14,9 @@ std::string whyNot(const RunSummary::Object& object) {
   if (object.scenes_in_view == 0) return "never in view";
   const std::string in_view = "the " + std::to_string(object.scenes_in_view) + " scenes";
   if (object.scenes_counted > 0 && object.scenes_seen == 0) {
-    return "not a pixel is seen in " + in_view +
+    return "no pixel is seen in " + in_view +
            " in which the box is in view (does something stand before the camera, is the camera "
-           "inside of a model, or the object too small, or beyond camera/far?)";
+           "inside a model, or is the object too small or beyond camera/far?)";
   }
   return "too little is seen in " + in_view + " in view (labels/min_pixels, labels/min_visibility)";
 }
@@ -44,7 +44,7 @@ std::vector<std::string> missingLabels(const std::vector<RunSummary::Object>& co
   const auto hasLabel = [](const RunSummary::Object& each) { return each.scenes_labelled > 0; };
   if (std::none_of(counts.begin(), counts.end(), hasLabel)) {
     messages.push_back("NOTHING is labelled: " + where +
-                       " has an object a label (does the camera " +
+                       " does an object have a label (does the camera " +
                        "stand where it should, and are its pose and TF in metres?)");
   }
   std::vector<std::pair<std::string, std::vector<std::string>>> unlabelled;  // by reason
@@ -77,7 +77,7 @@ std::vector<std::string> unlabelledSplits(const std::vector<output::SplitCounts>
     messages.push_back("split " + split.name + " has no label: no object has one in its " +
                        std::to_string(split.scenes) + (split.scenes == 1 ? " scene" : " scenes") +
                        " (other shares of `split`, or another `split/by`, divide the recording "
-                       "otherwise)");
+                       "differently)");
   }
   return messages;
 }

@@ -73,7 +73,7 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
   std::map<std::int64_t, const FoundShard*> by_index;
   for (const FoundShard& each : shards) {
     if (each.place.shard.count != first.place.shard.count) {
-      problems.push_back(named(each) + " and " + named(first) + " are of different divisions");
+      problems.push_back(named(each) + " and " + named(first) + " have different shard counts");
       continue;
     }
     const auto [other, is_new] = by_index.emplace(each.place.shard.index, &each);
@@ -81,7 +81,7 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
     if (!each.content.complete) {
       problems.push_back(named(each) + " is not complete: it has " +
                          std::to_string(each.content.scene_count) +
-                         " scenes so far; run it again to go on with it");
+                         " scenes so far; run it again to continue it");
     }
     if (!each.content.is_current) {
       problems.push_back(named(each) + " has a manifest of another format version; merge it with " +
@@ -93,7 +93,7 @@ std::vector<std::string> problemsOf(const std::vector<FoundShard>& shards) {
     }
     if (!writeAlike(first, each)) {
       problems.push_back(named(first) + " and " + named(each) +
-                         " have writers whose output_folder lies elsewhere");
+                         " have writers with different output_folders");
     }
     for (const std::string& difference :
          output::differences(first.content.run, each.content.run, named(first), named(each))) {
@@ -118,7 +118,7 @@ void requireSameRun(const FoundShard& shard, output::RunDescription& now) {
   std::vector<std::string> problems = output::differences(shard.content.run, now, "then", "now");
   if (problems.empty()) return;
   for (std::string& problem : problems) {
-    problem = "the shards were made otherwise than they would be now: " + problem;
+    problem = "the shards were made differently than they would be now: " + problem;
   }
   throw ErrorList(problems);
 }
@@ -165,7 +165,7 @@ RunSummary mergeShards(const std::string& output_folder,
     for (const FoundShard& each : shards) store->mergeShard(each.place);
     const std::int64_t found = store->counts().scenes;
     if (found != setup.description.scene_count) {
-      throw Error("the shards have " + std::to_string(found) + " scenes together; the run has " +
+      throw Error("the shards have " + std::to_string(found) + " scenes in total; the run has " +
                   std::to_string(setup.description.scene_count));
     }
     setup.writers->finalize(*store);

@@ -17,7 +17,7 @@ namespace {
 /// Checks the inputs: other inputs would make other scenes, and comparing those would be
 /// meaningless.
 void requireInputs(const output::RunDescription& run) {
-  const std::string cure = "; put the file there again that the dataset was made from";
+  const std::string cure = "; restore the file that the dataset was made from";
   std::vector<std::string> problems;
   for (const auto& [path, input] : run.inputs) {
     try {
@@ -52,7 +52,7 @@ class RedrawnScenes : public SceneSink {
     for (const std::string& each :
          output::differences(recorded, setup_.description, "then", "now")) {
       listener_.remark("'" + dataset_.manifest() + "': " + each +
-                       "; single pixels of a new drawing may differ");
+                       "; individual pixels of a new drawing may differ");
     }
   }
 
@@ -91,7 +91,7 @@ void redraw(const output::WrittenDataset& dataset, output::SceneVerifier& verifi
             const std::vector<std::string>& plugin_xml_files) {
   const output::ManifestContent& content = dataset.content();
   if (!content.is_current) {
-    throw Error("release 0.1.0 made it, whose scenes other releases draw otherwise");
+    throw Error("it is from release 0.1.0, whose scenes other releases draw differently");
   }
   requireInputs(content.run);
   RunSetup setup =

@@ -126,8 +126,8 @@ Articulation articulate(world::Model model, const ObjectOptions& object,
                                              " links follow TF");
   }
   if (!joints.empty()) {
-    result.diagnostics.note(
-        object.name, "no TF moves its joints " + joints + "; they are held as the model has them");
+    result.diagnostics.note(object.name, "no TF moves its joints " + joints +
+                                             "; they stay where the model places them");
   }
   result.model = std::move(model);
   return result;

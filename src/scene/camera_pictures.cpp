@@ -78,7 +78,8 @@ CameraPictures::CameraPictures(const std::vector<CameraOptions>& cameras,
     offsets_.push_back(camera.time_offset);
     const std::int64_t repeated = pictures_.back().repeatedCount();
     if (repeated > 0) {
-      diagnostics.warning(setting, "pictures with the stamp of another one are left out", repeated);
+      diagnostics.warning(setting, "pictures with the same stamp as another are left out",
+                          repeated);
     }
   }
   if (!errors.empty()) throw ErrorList(errors);

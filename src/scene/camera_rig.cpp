@@ -88,8 +88,8 @@ std::optional<std::size_t> linkOfFrame(const std::string& frame,
   if (found.size() == 1) return found.front();
   std::vector<std::string> names;
   for (const std::size_t i : found) names.push_back(links[i].model + "/" + links[i].link->name);
-  throw Error("found '" + frame + "', which the links " + base::listed(names) +
-              " are called; OBJECT/LINK names one of them");
+  throw Error("found '" + frame + "', the name of the links " + base::listed(names) +
+              "; OBJECT/LINK names one of them");
 }
 
 constexpr std::size_t kMostNamed = 8;  // objects, in messages

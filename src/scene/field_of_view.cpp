@@ -52,7 +52,7 @@ void checkFieldOfView(const base::Distribution& field_of_view, const std::string
         parameter,
         "found up to " + fixed(field_of_view.highest(), 3) + " rad; it should be at most " +
             fixed(widestOf(camera.model), 3) + ", as '" + camera.name +
-            "' is no fisheye (calibrated as `equidistant`); a normal distribution ends at its "
+            "' is not a fisheye (calibrated as `equidistant`); a normal distribution ends at its "
             "`max`");
   }
   errors.throwIfAny();

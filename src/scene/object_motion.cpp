@@ -71,7 +71,7 @@ Pose ObjectMotion::linkPose(const Object& object, LinkState& link, const Pose& X
   const std::string gap = "'" + object.name + "': the frame '" + frames_.names().of(*link.frame) +
                           "' of its link '" + link.name +
                           "' is not known to TF all the time; meanwhile the link keeps its place "
-                          "on what it hangs on";
+                          "on its parent";
   gaps_.insert(gap);
   return X_GP * link.X_PL;
 }

@@ -19,7 +19,7 @@ motion::RecordedMap topicsMap(const SceneOptions& config) {
     return motion::readMap(config.motion.bag_files, *placement.map_topic);
   }
   throw Error("found '" + *placement.map_topic +
-              "', a topic, and nothing that has it; bag_file should name the bags in which it was "
+              "', a topic without a source; bag_file should name the bags in which it was "
               "recorded, or `generate` should run beside the system that publishes it, as a node "
               "(roslaunch, or rosrun without --config); or placement/map should name map_server's "
               "YAML file");

@@ -222,8 +222,8 @@ std::vector<base::Warning> SceneArranger::placeCameras(std::int64_t instant, Sta
     if (sampled.hidden.empty()) continue;
     warnings.push_back({camera.group +
                             "/sample: something hides what the camera looks at from all positions "
-                            "that were tried, as an object that is inside of a wall; it was put at "
-                            "the first that was free",
+                            "that were tried (is it inside a wall?); the camera is at the first "
+                            "free one",
                         "of scene " + std::to_string(instant) + "'s, " + sampled.hidden});
   }
   return warnings;

@@ -309,7 +309,7 @@ void World::advanceTo(Stamp time, const ObjectPoseAt& motion) {
     world.start(time, motion);
   } else if (time < world.now && world.physics) {
     throw Error("the world cannot go back in time, to " + text(time) + " from " + text(world.now) +
-                "; what physics moves in it goes forward alone");
+                "; its physics only moves forward");
   } else {
     world.simulateUntil(time, motion);
     world.moveObjects(time, motion);

@@ -166,8 +166,7 @@ Description WorldLoader::loadText(const std::string& text, const std::string& na
     std::vector<std::string> messages = errors.messages();
     for (std::string& message : messages) {
       if (message.find("no such file") == std::string::npos) continue;
-      message +=
-          "; from a text that is in no file, package://, model:// and absolute paths lead on";
+      message += "; a text without a file can name only package://, model:// and absolute paths";
     }
     throw ErrorList(std::move(messages));
   }

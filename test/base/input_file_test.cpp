@@ -69,8 +69,8 @@ TEST(TextFault, NamesWhatIsNoText) {
   EXPECT_EQ(textFault(std::string("\xff\xfe"
                                   "a\0",
                                   4)),
-            "is UTF-16; it should be UTF-8, as which editors can save it");
-  EXPECT_EQ(textFault(std::string("\x89PNG\r\n\0\0", 8)), "is no text file");
+            "is UTF-16; it should be UTF-8, which editors can save");
+  EXPECT_EQ(textFault(std::string("\x89PNG\r\n\0\0", 8)), "is not a text file");
   EXPECT_EQ(compressionFault(std::string("\x89PNG\r\n\0\0", 8)), "");
 }
 

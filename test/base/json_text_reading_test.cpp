@@ -33,7 +33,7 @@ TEST(JsonValue, IsTheOtherWayRoundOfStrictJson) {
 TEST(JsonValue, NamesWhatIsNoJson) {
   const auto messages = test::messagesOf([] { (void)parseJson("{a: 1}", "the request"); });
   ASSERT_EQ(1U, messages.size());
-  EXPECT_EQ(0U, messages.front().find("the request: found no JSON: "));
+  EXPECT_EQ(0U, messages.front().find("the request: cannot be read as JSON: "));
 }
 
 TEST(JsonValue, RefusesWhatNestsWithoutBound) {

@@ -37,13 +37,13 @@ TEST_F(Sqlite, RefusesAViewThatNeverEnds) {
       "CREATE VIEW run AS WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x FROM n) "
       "SELECT x AS key, x AS value FROM n;");
   EXPECT_THAT(test::messagesOf([&] { open(); }),
-              testing::ElementsAre(HasSubstr("it has 'run', which is no plain")));
+              testing::ElementsAre(HasSubstr("it has 'run', which is not a plain")));
 }
 
 TEST_F(Sqlite, RefusesTriggers) {
   make("CREATE TABLE a (x); CREATE TRIGGER t AFTER INSERT ON a BEGIN DELETE FROM a; END;");
   EXPECT_THAT(test::messagesOf([&] { open(); }),
-              testing::ElementsAre(HasSubstr("it has 't', which is no plain")));
+              testing::ElementsAre(HasSubstr("it has 't', which is not a plain")));
 }
 
 TEST_F(Sqlite, SaysWhatIsWrongAfterItWasMoved) {

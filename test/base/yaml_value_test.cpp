@@ -55,8 +55,8 @@ TEST(ParseSettings, RemarksASecondGroupOfAName) {
   EXPECT_EQ(parseSettings(text, "my.yaml", note),
             parseSettings("{seed: 1, camera: {far: 9.0}}", ""))
       << "as PyYAML has it";
-  EXPECT_THAT(remarks, testing::ElementsAre("my.yaml: line 4: found 'camera' a second time; what "
-                                            "line 1 says of it does not count"));
+  EXPECT_THAT(remarks, testing::ElementsAre("my.yaml: line 4: found 'camera' a second time; its "
+                                            "value in line 1 is ignored"));
   (void)parseSettings("a: &a {x: 1, y: 1}\nb: {<<: *a, x: 2}", "test", note);
   EXPECT_EQ(remarks.size(), 1U) << "what is merged may be set anew";
 }
@@ -88,7 +88,7 @@ TEST(ParseYaml, RefusesWhatNestsWithoutBound) {
   std::string dashes;
   for (int i = 0; i < 2000; ++i) dashes += "- ";
   EXPECT_THAT(errorsOf(dashes + "x"), testing::ElementsAre(HasSubstr("nested deeper")));
-  EXPECT_THAT(errorsOf("&a [*a]"), testing::ElementsAre(HasSubstr("does it hold itself?")));
+  EXPECT_THAT(errorsOf("&a [*a]"), testing::ElementsAre(HasSubstr("does it contain itself?")));
 }
 
 TEST(ParseYaml, MergesGroups) {
@@ -181,8 +181,8 @@ TEST(ParseSettings, AskForTheIndentationWhereItIsWrong) {
   EXPECT_THAT(
       test::messagesOf([] { (void)parseSettings("camera:\n  near: 1\n    far: 2\n", "my.yaml"); }),
       ElementsAre(
-          AllOf(HasSubstr("my.yaml: line 3"), HasSubstr("is the line indented as the lines of "
-                                                        "its group are"))));
+          AllOf(HasSubstr("my.yaml: line 3"), HasSubstr("is the line indented like the others "
+                                                        "of its group"))));
 }
 
 TEST(ParseYaml, ComesToAnEndWithAStrayComma) {

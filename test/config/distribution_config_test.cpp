@@ -274,7 +274,7 @@ TEST(MaybeDistribution, RefusesWrongWeights) {
   EXPECT_EQ(errorOf("{choice: [1, 2], weights: [1, -1]}"),
             "found weights: [1, -1]; it should be numbers not below 0");
   EXPECT_EQ(errorOf("{choice: [1, 2], weights: [0, 0]}"),
-            "found weights: [0, 0]; it should be numbers with one above 0");
+            "found weights: [0, 0]; it should be numbers, at least one above 0");
 }
 
 TEST(MaybeDistribution, RefusesWhatIsOutOfRange) {

@@ -141,7 +141,7 @@ TEST(ReadSplit, ReadsAGapBetweenBlocksAlone) {
   EXPECT_THAT(negative.errors(), ElementsAre(HasSubstr("split/gap: found -1.0; it should be")));
   Parameters drawn = settings("split: {train: 1, gap: 1, by: scenes}");
   (void)readSplit(drawn);
-  EXPECT_THAT(drawn.errors(), ElementsAre(HasSubstr("between blocks alone")));
+  EXPECT_THAT(drawn.errors(), ElementsAre(HasSubstr("only blocks have gaps")));
 }
 
 TEST(ReadSplit, IsNoneUnlessItIsSet) { EXPECT_THAT(readSplit(settings("{}")).shares, IsEmpty()); }

@@ -180,7 +180,7 @@ TEST(ReadMotions, NamesWhatIsNoList) {
 
 TEST(ReadMotions, NamesAnEmptyList) {
   EXPECT_THAT(errorsOf("[]"),
-              ElementsAre("motions: found an empty list; it should have a motion at least"));
+              ElementsAre("motions: found an empty list; it should have at least one motion"));
 }
 
 TEST(ReadMotions, NamesAnEntryThatIsNoGroup) {
@@ -211,7 +211,7 @@ TEST(ReadMotions, NamesASplitThatIsNone) {
 TEST(ReadMotions, NamesAnObjectThatTheRunDoesNotHave) {
   EXPECT_THAT(errorsOf("[{robot_list: [rover, drome]}, {}]"),
               ElementsAre("motions/0/robot_list: found 'drome', which the run's robot_list does "
-                          "not have; there all objects of all motions are named; did you mean "
+                          "not have; it should name all objects of all motions; did you mean "
                           "'drone'?"));
   EXPECT_THAT(errorsOf("[{robot_list: []}]"),
               ElementsAre(HasSubstr("motions/0/robot_list: found an empty list")));

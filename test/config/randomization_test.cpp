@@ -183,7 +183,7 @@ TEST(Randomization, NamesWhatObjectsCannotWear) {
               HasSubstr("sizes: has a meaning beside a scale that is drawn from a range"));
   EXPECT_THAT(errorOf("objects/a", "sizes: 3"), HasSubstr("sizes: has a meaning"));
   EXPECT_THAT(errorOf("objects/a", "model: 'param:/robot_description'"),
-              HasSubstr("model: found a model that is no file"));
+              HasSubstr("model: found a model that is not a file"));
   EXPECT_THAT(errorOf("objects/a", "model: '<robot/>'"), HasSubstr("model: found a model that is"));
 }
 

@@ -64,7 +64,7 @@ class FirstHour(unittest.TestCase):
         settings = (self.scratch / 'my.yaml').read_text(encoding='utf-8')
         code, _, err = self.run_program('start', BAG, '-o', 'my.yaml')
         self.assertEqual(code, 1)
-        self.assertIn("'my.yaml' is there already", err)
+        self.assertIn("'my.yaml' already exists", err)
         self.assertEqual((self.scratch / 'my.yaml').read_text(encoding='utf-8'), settings)
 
         code, out, err = self.run_program('check', 'my.yaml', '--out', 'look')
@@ -123,7 +123,7 @@ world_objects: [{{class: barrel, models: "barrel_*"}}, {{class: crate, models: "
 """, encoding='utf-8')
         code, out, err = self.run_program('check', 'ride.yaml')
         self.assertIn(code, (0, 3), out + err)
-        self.assertIn('labels, as far as boxes reach into the picture: train', out)
+        self.assertIn('labels, counting boxes that reach into the picture: train', out)
         code, out, err = self.run_program('generate', '--config', 'ride.yaml')
         self.assertEqual(code, 0, out + err)
         code, out, err = self.run_program('verify', 'ride')

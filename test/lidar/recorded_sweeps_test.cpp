@@ -76,7 +76,7 @@ TEST_F(RecordedSweepsTest, LeaveCloudsOut) {
   const RecordedSweeps sweeps = read();
   EXPECT_THAT(sweeps.stamps(), ElementsAre(milliseconds(1100), milliseconds(1400)));
   EXPECT_THAT(notes.messages(base::Severity::kWarning),
-              ElementsAre("lidars/top/cloud_topic: clouds with the stamp of another one are left "
+              ElementsAre("lidars/top/cloud_topic: clouds with the same stamp as another are left "
                           "out"));
 }
 

@@ -106,11 +106,11 @@ class PythonDocs(unittest.TestCase):
         self.assertLess(float(found.group(1)), 1.0, text)
 
     def test_every_program_is_run(self):
-        # test/python/dataset_test.py runs the program for a format of one's own.
+        # test/python/dataset_test.py runs the program for a format of your own.
         self.assertEqual({name: len(blocks) for name, blocks in programs().items() if blocks},
                          {'Datasets in Python': 1, 'What it reads': 1, 'PyTorch': 1, 'FiftyOne': 1,
                           'Ultralytics': 1, 'Evaluation as in COCO': 1,
-                          "A format of one's own": 1})
+                          "Your own format": 1})
 
 
 if __name__ == '__main__':

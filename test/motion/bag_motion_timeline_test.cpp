@@ -190,7 +190,7 @@ TEST(Timeline, LeavesOutScenesInAHoleUnlessAskedForThem) {
   const Timeline timeline = acrossAnHour(5.0, everyMilliseconds(500));
   EXPECT_THAT(timeline.stamps, SizeIs(5)) << "three before the hole, two after it";
   EXPECT_THAT(timeline.diagnostics.messages(base::Severity::kWarning),
-              ElementsAre("TF has nothing of the frame 'alpha' from 2.000 s to 3600.000 s "
+              ElementsAre("TF has no data for the frame 'alpha' from 2.000 s to 3600.000 s "
                           "(3598.000 s): " +
                           std::to_string(timeline.left_out_gap) +
                           " scenes in between are left out (max_tf_gap: .inf makes them)"));

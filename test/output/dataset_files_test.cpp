@@ -118,7 +118,7 @@ TEST_F(DatasetFiles, AreNotLinkedToWhatTheWriterDidNotMake) {
                                  [](const std::string& file) { std::ofstream(file) << "x"; });
   for (const char* other : {"b/0.txt", "a/mine.txt", "a/none.txt", "a/all"}) {
     EXPECT_THAT(failureOf([&] { store_->linkDatasetFile(0, path("a/link"), path(other)); }),
-                AllOf(HasSubstr(path(other)), HasSubstr("no file that the writer 'a' made")));
+                AllOf(HasSubstr(path(other)), HasSubstr("not a file that the writer 'a' made")));
   }
   EXPECT_FALSE(fs::exists(path("a/link")));
   EXPECT_THAT(datasetRows(), ElementsAre("a/all|0|1|NULL"));
@@ -143,7 +143,7 @@ TEST_F(DatasetFiles, ReadASceneFileOfTheSameWriterOnly) {
   EXPECT_EQ(store_->readSceneFile(0, path("a/0.txt")), "of a");
   EXPECT_EQ(store_->readSceneFile(1, path("b/0.txt")), "of b");
   EXPECT_THAT(failureOf([&] { (void)store_->readSceneFile(0, path("b/0.txt")); }),
-              HasSubstr("no file that the writer 'a' made for a scene"));
+              HasSubstr("not a file that the writer 'a' made for a scene"));
   EXPECT_THAT(failureOf([&] { (void)store_->readSceneFile(0, "/etc/hostname"); }),
               HasSubstr("'/etc/hostname'"));
 }

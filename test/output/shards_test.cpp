@@ -122,7 +122,7 @@ TEST_F(ShardsTest, AreNotTakenForForeignFilesByEachOther) {
 TEST_F(ShardsTest, OfAnotherDivisionAreRefused) {
   makeShard(folder_, 0);
   EXPECT_THAT(errorsOf(optionsIn(folder_, Shard{1, 3}), writersIn(folder_)),
-              ElementsAre(HasSubstr("a shard of another division")));
+              ElementsAre(HasSubstr("a shard of a run divided differently")));
 }
 
 TEST_F(ShardsTest, AreNotMixedWithAWholeRun) {

@@ -242,7 +242,7 @@ class FormatOfOnesOwn(DatasetCase):
 
     def test_is_written_by_the_thirty_lines_of_the_documentation(self):
         page = (REPOSITORY / 'docs' / 'python.md').read_text('utf-8')
-        program = page.split("## A format of one's own", 1)[1]
+        program = page.split("## Your own format", 1)[1]
         program = program.split('```python\n', 1)[1].split('```', 1)[0]
         self.assertLessEqual(len(program.splitlines()), 30)
         with tempfile.TemporaryDirectory() as place:

@@ -310,8 +310,8 @@ split: {train: 0.5, val: 0.5}
         self.assertRegex(out, r'4 photographs, AP50 unknown: they have no labels; in pictures of the dataset 1.000\n.*page.html\n$')
         self.assertEqual(len(network.learnt), SCENES // 2)
         text = Page(page).text
-        self.assertIn('no labels, so that nothing says what is right', text)
-        self.assertIn('began from nothing', text)
+        self.assertIn('no labels, so it is not known what is right', text)
+        self.assertIn('started untrained', text)
         self.assertIn('Most confident', text)
         out, page, _ = self.try_(self.perfect, self.folder / 'detect')
         labels = sum(len(each.truth) for each in self.pictures)

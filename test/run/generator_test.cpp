@@ -213,7 +213,7 @@ TEST_F(GeneratorTest, SaysWhereRelativePathsStart) {
   parameters["bag_file"] = Value("recordings/gone.bag");
   EXPECT_THAT(errors(),
               ElementsAre(AllOf(HasSubstr("gone.bag: no such file"),
-                                HasSubstr("'recordings/gone.bag' starts at the current "
+                                HasSubstr("'recordings/gone.bag' is relative to the current "
                                           "folder: \"$(dirname)/recordings/gone.bag\""))));
 }
 
@@ -232,7 +232,7 @@ TEST_F(GeneratorTest, NamesWhatIsCompressedOrNoText) {
   (*parameters.at("camera").as<Value::Map>())["info_file"] =
       write("a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR:\t[", 20));
   EXPECT_THAT(errors(), AllOf(Contains(HasSubstr("a.bag.bz2: is compressed; `bunzip2` unpacks it")),
-                              Contains(HasSubstr("a.png: line 1: is no text file"))));
+                              Contains(HasSubstr("a.png: line 1: is not a text file"))));
   parameters["bag_file"] = Value((run.folder() / "tiny.bag").string());
   EXPECT_THAT(errors(), Contains(HasSubstr("hall.world.gz: is compressed; `gunzip` unpacks it")));
 }
@@ -421,7 +421,7 @@ TEST_F(GeneratorTest, SaysWhichObjectCostsMostOfTheRecording) {
   EXPECT_EQ(summary.scenes, 1);
   std::vector<std::string> warnings;
   for (const auto& [warning, count] : summary.warnings) warnings.push_back(warning);
-  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("alpha: no scene is made in 0.8 s of the "
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("alpha: no scenes in 0.8 s of the "
                                                  "recording's 1.0 s"),
                                        HasSubstr("TF has 'alpha/base_link' in 'map' from 1.45"),
                                        HasSubstr("`when_unknown: absent` in the group alpha"))));
@@ -447,7 +447,7 @@ TEST_F(GeneratorTest, PassesOverStrangeNamesInAFileOfTheOriginal) {
   std::vector<std::string> warnings;
   for (const auto& [warning, count] : generate().warnings) warnings.push_back(warning);
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("cmd_vel_topic: unknown parameter"),
-                                       HasSubstr("it is passed over"))));
+                                       HasSubstr("it is ignored"))));
 }
 
 }  // namespace generator_test

@@ -33,15 +33,14 @@ TEST(MissingLabels, AreNoneWhereEachObjectHasOne) {
 }
 
 TEST(MissingLabels, AreReportedOfEachObjectWithTheReason) {
-  EXPECT_THAT(
-      missingLabels({object("rover", 7, 7, 0, 40, 7), object("drone", 0, 0, 0, 40, 0),
-                     object("cup", 5, 5, 5, 40, 0), object("crate", 6, 0, 0, 40, 0)},
-                    40),
-      ElementsAre("object drone has a label in none of 40 scenes: never in view",
-                  StartsWith("object cup has a label in none of 40 scenes: too little is "
-                             "seen in the 5 scenes"),
-                  StartsWith("object crate has a label in none of 40 scenes: not a pixel is "
-                             "seen in the 6 scenes")));
+  EXPECT_THAT(missingLabels({object("rover", 7, 7, 0, 40, 7), object("drone", 0, 0, 0, 40, 0),
+                             object("cup", 5, 5, 5, 40, 0), object("crate", 6, 0, 0, 40, 0)},
+                            40),
+              ElementsAre("object drone has a label in none of 40 scenes: never in view",
+                          StartsWith("object cup has a label in none of 40 scenes: too little is "
+                                     "seen in the 5 scenes"),
+                          StartsWith("object crate has a label in none of 40 scenes: no pixel is "
+                                     "seen in the 6 scenes")));
 }
 
 TEST(MissingLabels, OfManyForOneReasonAreOneMessage) {
@@ -160,7 +159,7 @@ TEST_F(LabelCountsTest, OfARunThatSeesNoObjectAreInItsEndAndInTheManifest) {
   EXPECT_THAT(listener.warnings,
               testing::IsSupersetOf({HasSubstr("NOTHING is labelled"),
                                      HasSubstr("2 objects (alpha, bravo) have a label in none of 4 "
-                                               "scenes: not a pixel is seen")}));
+                                               "scenes: no pixel is seen")}));
   EXPECT_THAT(lastLine(summary), StartsWith("done, but NOTHING is labelled"));
   const output::ManifestContent manifest = output::readManifest(output::manifestFile(folder));
   EXPECT_TRUE(manifest.complete);

@@ -548,7 +548,7 @@ TEST_F(PlacementTest, NamesADistractorThatCannotBeSeen) {
   distractors["models"] = Value(Value::List{Value((run.folder() / "nothing.sdf").string())});
   parameters["randomize"] = Value(Value::Map{{"distractors", Value(distractors)}});
   EXPECT_THAT(errors(), Contains(AllOf(HasSubstr("randomize/distractors/models: found"),
-                                       HasSubstr("a model of which nothing can be seen"))));
+                                       HasSubstr("a model without visible parts"))));
 }
 
 TEST_F(PlacementTest, NamesAFrameThatNothingHas) {

@@ -306,7 +306,7 @@ TEST_F(HandMadeCloudsRun, RefusesWhatWasNotThere) {
 TEST_F(HandMadeCloudsRun, RefusesSweepsThatPhysicsCannotGoBackFor) {
   recordHandMade({1200, 1210});  // each begins 20 ms before
   EXPECT_THAT(errors(), Contains(HasSubstr("the clouds of two scenes overlap by 10 ms, and the "
-                                           "world has models that physics moves")));
+                                           "world has models moved by physics")));
 }
 
 }  // namespace recorded_clouds_test

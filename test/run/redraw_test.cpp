@@ -110,11 +110,10 @@ TEST_F(RedrawTest, NamesInputsThatHaveChangedOrAreMissingAndDrawsNothing) {
   fs::remove(run.folder() / "tiny.bag");
   run.folder().write("camera.yaml", "another");
   const Verified verified(folder);
-  EXPECT_THAT(
-      verified.problems,
-      ElementsAre(
-          HasSubstr("camera.yaml' has changed; put the file there again that the dataset"),
-          AllOf(HasSubstr("cannot be drawn again: cannot read '"), HasSubstr("tiny.bag'"))));
+  EXPECT_THAT(verified.problems,
+              ElementsAre(HasSubstr("camera.yaml' has changed; restore the file that the dataset"),
+                          AllOf(HasSubstr("cannot be drawn again: cannot read '"),
+                                HasSubstr("tiny.bag'"))));
   EXPECT_EQ(verified.scenes, 0);
 }
 

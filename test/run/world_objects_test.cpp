@@ -190,7 +190,7 @@ TEST_F(WorldObjectsTest, SaysWhatIsNotThere) {
   EXPECT_THAT(said, Contains("world_objects/1/models: nothing in the world is called 'flor'; did "
                              "you mean 'floor'?"));
   set("world_objects", "[{class: car, models: 'lorry_*'}]");
-  EXPECT_THAT(errors(), Contains(HasSubstr("world_objects: no model of the world is meant")));
+  EXPECT_THAT(errors(), Contains(HasSubstr("world_objects: no model of the world matches")));
 }
 
 TEST_F(WorldObjectsTest, ChecksWhatIsWritten) {

@@ -142,7 +142,7 @@ TEST_F(ArticulatedReplay, WithoutTfForLinksTheModelMovesAsOnePiece) {
   EXPECT_THAT(setup.driven_links, ElementsAre(ElementsAre(IsEmpty())));
   EXPECT_THAT(setup.diagnostics.messages(base::Severity::kNote),
               ElementsAre("alpha: no TF moves its joints 'shoulder', 'elbow', "
-                          "'slide'; they are held as the model has them"));
+                          "'slide'; they stay where the model places them"));
   expectAt(linksAt(5)["gripper"], base(5) * poseAt(0, 0, 1.12));
 }
 
@@ -183,7 +183,7 @@ TEST_F(ArticulatedReplay, TheErrorAboutAFramesPrefixNamesTheSettingThatMendsIt) 
   EXPECT_THAT(errors(),
               Contains("alpha/frame: found no frame 'robots/alpha/base_link' in the "
                        "recording; in the group alpha, `frame: alpha/base_link` names one "
-                       "as a whole"));
+                       "in full"));
 }
 
 TEST_F(ArticulatedReplay, TheObjectsFrameMayBeNamedWhole) {

@@ -92,11 +92,11 @@ class SettingsFile(WithPage):
     def test_is_not_written_while_it_is_no_yaml(self):
         before = self.file.read_text('utf-8')
         self.page.type_yaml('bag_file: [one, ')
-        self.page.wait(lambda: 'no YAML' in self.page.text('#header'), 'the complaint')
+        self.page.wait(lambda: 'invalid YAML' in self.page.text('#header'), 'the complaint')
         self.assertRegex(self.page.text('.yaml-state'), r'line \d+')
         self.assertEqual(self.file.read_text('utf-8'), before)
         self.page.type_yaml(before)
-        self.page.wait(lambda: 'no YAML' not in self.page.text('#header'), 'the complaint to end')
+        self.page.wait(lambda: 'invalid YAML' not in self.page.text('#header'), 'the complaint to end')
 
     def test_is_undone_and_redone_by_keys(self):
         before = self.file.read_text('utf-8')

@@ -41,10 +41,10 @@ class Clouds:
         counts = self.points.ravel()
         met = counts > 0
         if not met.any():
-            return {'title': 'Points of an object', 'svg': '', 'note': 'No sweep meets an object.'}
+            return {'title': 'Points of an object', 'svg': '', 'note': 'No sweep hits an object.'}
         few = np.count_nonzero(counts[met] < FEW)
         note = (f'{np.count_nonzero(met):,} objects in sweeps, of which {100 * few / met.sum():.3g} % have '
-                f'less than {FEW} points; the lidar does not meet {np.count_nonzero(~met):,}.')
+                f'fewer than {FEW} points; the lidar does not hit {np.count_nonzero(~met):,}.')
         bins = np.geomspace(1, max(10.0, counts.max() * 1.01), 40)
         return {'title': 'Points of an object', 'note': note,
                 'svg': charts.of_classes(measures, classes[met], counts[met], 'points in a sweep', 'objects', bins,

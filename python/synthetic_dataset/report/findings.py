@@ -21,7 +21,7 @@ def findings(dataset, measures, splits, counts, brightness, neighbours, variety)
         found.append(Finding(is_problem, text, cure))
 
     if not dataset.is_complete:
-        add(True, f'The run has not come to its end: {len(dataset):,} of '
+        add(True, f'The run is not finished: {len(dataset):,} of '
             f'{int(dataset.manifest.run["scene_count"]):,} scenes are there.',
             'The same command again continues it.')
     _add_classes(add, dataset.settings.get('split/by', 'blocks'), measures, splits, counts)
@@ -58,14 +58,14 @@ def _add_classes(add, split_by, measures, splits, counts):
                 'See whether its objects are in view: `draw_labels` shows a scene.')
             continue
         if of_class[row] < FEW * of_class.max():
-            add(False, f"The class '{name}' has {of_class[row]:,} labels; the class with most has "
+            add(False, f"The class '{name}' has {of_class[row]:,} labels; the class with the most has "
                 f'{of_class.max():,}.')
         missing = [split for column, split in enumerate(splits) if counts[row, column] == 0]
         if missing:
             add(True, f"The class '{name}' has no label in " + ' and '.join(missing) + '.',
                 'Other shares, or a part of the recording in which it is seen more often, would help.'
                 if split_by == 'balanced_blocks' else
-                '`split/by: balanced_blocks` gives each split each class, where that can be.')
+                '`split/by: balanced_blocks` gives each split each class, where possible.')
 
 
 def _add_labels(add, measures):

@@ -53,7 +53,7 @@ def run(arguments, make_network, is_stopped, progress):
         raise DatasetError(f"'{arguments.weights}': no such file; weights are not fetched from anywhere")
     network = make_network(list(dataset.classes), arguments.weights)
     if not arguments.weights:
-        print('try_training: without --weights the network begins from nothing, and finds much less than one that has seen '
+        print('try_training: without --weights the network starts untrained, and finds much less than one that has seen '
               'photographs of anything', file=sys.stderr)
     steps, seconds = _train(network, learnt, 60 * arguments.minutes, is_stopped, progress)
     of_own_kind = _score(*_looked(network, tested, None, progress, 'pictures'))
@@ -116,17 +116,17 @@ def _names(dataset, real):
 def _findings(arguments, dataset, network, real, founds, steps, was_stopped):
     found = []
     if was_stopped:
-        found.append((True, f'The training was stopped after {steps:,} steps: what it finds is not what it would have found.'))
+        found.append((True, f'The training was stopped after {steps:,} steps: a full training would find something else.'))
     if not arguments.weights:
-        found.append((True, 'The network began from nothing. One that has seen photographs of anything, as --weights takes '
+        found.append((True, 'The network started untrained. One that has seen photographs of anything, as --weights takes '
                             'it, finds much more after the same time.'))
     if not dataset.is_complete:
-        found.append((False, 'The dataset is unfinished: its scenes that are whole were learnt from.'))
+        found.append((False, 'The dataset is unfinished: its complete scenes were learnt from.'))
     unread = [each.file.name for each, what in zip(real.all, founds) if what is None]
     if unread:
         found.append((True, f'Photographs that cannot be read, and are left out: {len(unread):,}, such as {unread[0]}.'))
     if not real.is_labelled:
-        found.append((False, 'The photographs have no labels, so that nothing says what is right. Labels of 50 of them, as '
+        found.append((False, 'The photographs have no labels, so it is not known what is right. Labels of 50 of them, as '
                              'text files beside them, give an AP50.'))
     elif real.without_file:
         found.append((False, f'{real.without_file:,} photographs have no file of labels and count as showing no object.'))

@@ -24,7 +24,7 @@ std::vector<uchar> libdeflated(const cv::Mat& bytes, int compression) {
   };
   const std::unique_ptr<libdeflate_compressor, Free> compressor(
       libdeflate_alloc_compressor(compression));
-  if (!compressor) throw Error("there is no memory to compress an image");
+  if (!compressor) throw Error("too little memory to compress an image");
   std::vector<uchar> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.total()));
   result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data, bytes.total(), result.data(),
                                          result.size()));

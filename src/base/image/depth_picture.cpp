@@ -118,7 +118,7 @@ PictureSize checkCompressedDepth(const std::vector<std::uint8_t>& file, const st
 cv::Mat depthOfCompressed(const std::vector<std::uint8_t>& file, const std::string& format) {
   const cv::Mat numbers = decodePixels(pngOf(file, format), "depth.png");
   if (numbers.type() != CV_16UC1) {
-    throw Error("of format '" + format + "' is no PNG of 16 bits and one channel");
+    throw Error("of format '" + format + "' is not a 16-bit PNG with one channel");
   }
   if (isMillimetres(encodingOf(format))) return ofMillimetres(numbers);
   DepthQuantisation quantisation;

@@ -15,7 +15,7 @@ std::vector<uchar> zlibDeflated(const cv::Mat& bytes, int compression) {
   std::vector<uchar> result(result_size);
   if (compress2(result.data(), &result_size, bytes.data, size, std::max(compression, kQuickest)) !=
       Z_OK) {
-    throw Error("there is no memory to compress an image");
+    throw Error("too little memory to compress an image");
   }
   result.resize(result_size);
   return result;

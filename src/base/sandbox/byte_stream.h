@@ -73,7 +73,7 @@ class ByteReader {
   /// How many entries follow, each of at least one byte.
   [[nodiscard]] std::size_t entries() { return count(1); }
   void copy(void* to, std::size_t size) {
-    if (size > bytes_.size()) throw Error("its content came over incomplete");
+    if (size > bytes_.size()) throw Error("its content arrived incomplete");
     if (size > 0) std::memcpy(to, bytes_.data(), size);
     bytes_.remove_prefix(size);
   }
@@ -81,7 +81,7 @@ class ByteReader {
  private:
   [[nodiscard]] std::size_t count(std::size_t element_size) {
     const auto value = number<std::uint64_t>();
-    if (value > bytes_.size() / element_size) throw Error("its content came over incomplete");
+    if (value > bytes_.size() / element_size) throw Error("its content arrived incomplete");
     return static_cast<std::size_t>(value);
   }
 

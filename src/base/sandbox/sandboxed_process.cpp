@@ -108,7 +108,7 @@ End endOf(pid_t child) {
   do {
     ended = wait4(child, &end.status, 0, &usage);
   } while (ended < 0 && errno == EINTR);
-  if (ended != child) throw Error("a process of its own cannot be waited for");
+  if (ended != child) throw Error("a child process cannot be waited for");
   end.time = usage.ru_utime.tv_sec + usage.ru_stime.tv_sec;
   return end;
 }

@@ -28,7 +28,7 @@ struct Pipe {
   Pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-      throw Error(std::string("no pipe is to be had: ") + std::strerror(errno));
+      throw Error(std::string("cannot open a pipe: ") + std::strerror(errno));
     }
     reading = ends[0];
     writing = ends[1];
@@ -71,7 +71,7 @@ std::string run(const std::vector<std::string>& command) {
   const Pipe output;
   const Pipe errors;
   const pid_t program = fork();
-  if (program < 0) throw Error(std::string("no process is to be had: ") + std::strerror(errno));
+  if (program < 0) throw Error(std::string("cannot start a process: ") + std::strerror(errno));
   if (program == 0) become(command, output.writing, errors.writing);
   close(output.writing);
   close(errors.writing);

@@ -115,7 +115,7 @@ class Editor {
       text = changed;
       tree = readGroup(text, origin_);
     }
-    throw Error("the text does not take this change");
+    throw Error("no edit of it has this effect");
   }
 
   /// Rewrites an entry, then edits the rest.

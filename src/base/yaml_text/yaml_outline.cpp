@@ -80,7 +80,7 @@ class OutlineBuilder : public YAML::EventHandler {
     if (parent.part.kind == YamlPart::Kind::kList) {
       parent.part.entries.push_back({"", 0, 0, std::move(done)});
     } else if (!parent.begun) {
-      if (done.kind != YamlPart::Kind::kScalar) throw Error("a name that is no plain text");
+      if (done.kind != YamlPart::Kind::kScalar) throw Error("a name that is not plain text");
       parent.begun = YamlEntry{text, done.begin, 0, {}};
     } else {
       parent.begun->value = std::move(done);
@@ -188,7 +188,7 @@ class EndFinder {
   [[noreturn]] void fail(std::size_t offset) const {
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_.size()));
     throw Error("line " + std::to_string(1 + std::count(text_.begin(), end, '\n')) +
-                " is laid out in a way that only an editor of text can change");
+                " is laid out in a way that only a text editor can change");
   }
 
   const std::string& text_;

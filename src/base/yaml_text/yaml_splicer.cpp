@@ -206,7 +206,7 @@ Splice YamlSplicer::insert(const YamlPath& path, const Value& expected,
   const bool is_empty_flow = deepest.is_flow && deepest.entries.empty();
   if (depth > 0 && (!fits || is_empty_flow)) {
     const Value* value = valueAt(expected, prefix(depth));
-    if (value == nullptr) throw Error(pathText(path) + ": is not to be there");
+    if (value == nullptr) throw Error(pathText(path) + ": should not be there");
     return replaceEntry(*found.parts[depth - 1], found.entry(), *value);
   }
   const Value value = nested(path, depth + 1, *valueAt(expected, path));
@@ -216,7 +216,7 @@ Splice YamlSplicer::insert(const YamlPath& path, const Value& expected,
             (at_line_begin ? "" : layout_.line_break) + entryYaml(*name, value, 0, layout_) +
                 layout_.line_break};
   }
-  if (!fits) throw Error(pathText(path) + ": the file's values are no group of names");
+  if (!fits) throw Error(pathText(path) + ": the file's values are not a group");
   const std::size_t index =
       name != nullptr
           ? indexFor(deepest, *name, order ? order(prefix(depth)) : std::vector<std::string>())
@@ -275,7 +275,7 @@ Splice YamlSplicer::remove(const YamlPath& path) const {
   }
   if (is_alone) return {line_begin, scan_.nextLine(entry.value.end), ""};
   // The first entry after a dash: the next one takes its place.
-  if (index + 1 == parent.entries.size()) throw Error(pathText(path) + ": cannot be taken out");
+  if (index + 1 == parent.entries.size()) throw Error(pathText(path) + ": cannot be removed");
   return {entry.begin, parent.entries[index + 1].begin, ""};
 }
 

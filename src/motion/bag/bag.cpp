@@ -25,7 +25,7 @@ std::unique_ptr<Bag> openBag(const std::string& path) {
   if (isRos2Bag(path)) return openRos2Bag(path);
   if (std::filesystem::is_directory(status)) {
     throw Error("bag " + path +
-                ": is a folder; a bag file is needed, or a folder of ROS 2 with metadata.yaml");
+                ": is a folder; a bag file is needed, or a ROS 2 bag folder with metadata.yaml");
   }
   return openRos1Bag(path);
 }

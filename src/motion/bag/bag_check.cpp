@@ -44,7 +44,7 @@ void checkMessages(BagBytes& bytes, std::vector<std::uint64_t> places, std::uint
   std::sort(places.begin(), places.end());
   std::uint64_t free = 0;
   for (const std::uint64_t place : places) {
-    if (place < free) throw Error("messages lie within one another");
+    if (place < free) throw Error("messages overlap");
     passMessage(bytes, place);
     free = bytes.place();
     if (free > end) throw Error("a message goes beyond its chunk");
@@ -75,7 +75,7 @@ class Check {
   MessagePlaces run(const BagHeader& header) {
     if (header.has("encryptor") && !header.text("encryptor").empty() &&
         header.text("encryptor") != "rosbag/NoEncryptor") {
-      throw EncryptedBag("is encrypted; `rosbag decrypt` makes a bag of it that can be read");
+      throw EncryptedBag("is encrypted; `rosbag decrypt` makes a readable bag of it");
     }
     const std::uint64_t connections = header.number("conn_count", 4);
     const std::uint64_t chunks = header.number("chunk_count", 4);
@@ -86,7 +86,7 @@ class Check {
               [](const ChunkInfo& a, const ChunkInfo& b) { return a.place < b.place; });
     std::uint64_t free = 0;
     for (const ChunkInfo& info : infos_) {
-      if (info.place < free) throw Error("chunks lie within one another");
+      if (info.place < free) throw Error("chunks overlap");
       free = checkChunk(info);
       ++chunk_;
     }
@@ -165,7 +165,7 @@ class Check {
     file_.skip(4);  // the data's length, which follows from the count
     const std::uint64_t connection = header.number("conn", 4);
     const auto topic = topics_.find(connection);
-    if (topic == topics_.end()) throw Error("an index is of a connection that is not there");
+    if (topic == topics_.end()) throw Error("an index refers to a connection that does not exist");
     constexpr std::uint64_t kEntry = 12;  // [byte]: seconds, nanoseconds, offset
     const std::uint64_t count = header.number("count", 4);
     if (!is_read_(topic->second)) {
@@ -200,7 +200,7 @@ class Check {
   std::string contentOf(const Chunk& chunk) {
     if (chunk.uncompressed_bytes > kLargestRatio * chunk.bytes) {
       throw Error("a chunk is said to be " + std::to_string(chunk.uncompressed_bytes) +
-                  " bytes when it is decompressed, more than can be made of its " +
+                  " bytes when decompressed, more than can come from its " +
                   std::to_string(chunk.bytes));
     }
     const bool is_known = chunk.compression == "bz2" || chunk.compression == "lz4";
@@ -213,7 +213,7 @@ class Check {
     const bool may_be_short = !content.empty() && content.back() == '\xFF';
     if (may_be_short &&
         decompressed(bytes, compression, chunk.uncompressed_bytes, '\0').back() == '\0') {
-      throw Error("a chunk has less in it than it says");
+      throw Error("a chunk holds less than it claims");
     }
     return content;
   }
@@ -242,7 +242,7 @@ class OldCheck {
       const BagHeader definition = file_.header();
       require(definition, kMessageDefinition, "the definition of a type");
       if (definition.text("topic") == topic) continue;
-      throw Error("the definition of a type is of another topic than its index");
+      throw Error("a type definition is for another topic than its index");
     }
   }
 

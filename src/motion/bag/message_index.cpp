@@ -35,7 +35,7 @@ void checkOrder(std::vector<FoundMessage>& found, const std::string& noun) {
   for (const FoundMessage& each : found) {
     if (each.stamp == Stamp{0}) {
       throw Error("its " + noun + " recorded at " + secondsText(each.place.recorded) +
-                  " has no stamp in its header; without stamps nobody knows when it was taken");
+                  " has no stamp in its header; without one, it is unknown when it was taken");
     }
     if (each.stamp + kLate < latest) {
       throw Error("the stamps of its " + noun + "s go back from " + secondsText(latest) + " to " +
@@ -144,7 +144,7 @@ void MessageIndex::read(std::size_t index,
   }
   if (is_there) return;
   throw Error(bag + "the message of '" + impl_->topic + "' recorded at " +
-              secondsText(place.recorded) + " is not there any more");
+              secondsText(place.recorded) + " is no longer there");
 }
 
 }  // namespace synthetic_dataset::motion

@@ -70,7 +70,7 @@ class Calibrations {
   [[nodiscard]] std::vector<std::string> notes(const std::string& topic) const {
     if (count_ == 0) return {};
     const std::string more =
-        count_ > kMost ? ", and " + std::to_string(count_ - kMost) + " times more" : "";
+        count_ > kMost ? ", and " + std::to_string(count_ - kMost) + " more times" : "";
     return {"the calibration '" + topic + "' of " + sizeOf(*first_) + " changes " + list_ + more +
             "; all scenes have the first one"};
   }

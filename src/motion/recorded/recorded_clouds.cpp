@@ -25,7 +25,7 @@ std::string problemIn(const Step& step) {
 
 CloudHead cloudHeadOf(const BagMessage& message) {
   const auto recorded = message.instantiate<RecordedCloud>();
-  if (!recorded) throw Error("a message of '" + message.topic + "' is no cloud");
+  if (!recorded) throw Error("a message of '" + message.topic + "' is not a cloud");
   const PointCloud2& cloud = recorded->message;
   CloudHead head{toStamp(cloud.header.stamp), withoutLeadingSlashes(cloud.header.frame_id)};
   head.problem = problemIn([&] { checkPositions(cloud); });

@@ -48,15 +48,15 @@ void checkMap(const RecordedMap& map) {
     throw Error("found a map of " + sidesOf(map) + "; it should have some");
   }
   if (map.cells.size() / map.width != map.height || map.cells.size() % map.width != 0) {
-    throw Error("found a map of " + sidesOf(map) + " with the values of " +
-                std::to_string(map.cells.size()) + "; it should have one for each cell");
+    throw Error("found a map of " + sidesOf(map) + " with " + std::to_string(map.cells.size()) +
+                " values; it should have one for each cell");
   }
   if (!std::isfinite(map.resolution) || map.resolution <= 0.0) {
     throw Error("found a resolution of " + Value(map.resolution).text() +
                 " m; it should be above 0");
   }
   if (!map.X_FM.matrix().allFinite()) {
-    throw Error("found an origin that is no pose; it should be of finite numbers");
+    throw Error("found an origin that is not a pose; its numbers should be finite");
   }
 }
 

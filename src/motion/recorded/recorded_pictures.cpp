@@ -34,7 +34,7 @@ FramedPicture framedPicture(const BagMessage& message) {
                              image.step, std::move(image.data)}};
   }
   const auto file = message.instantiate<RecordedImageFile>();
-  if (!file) throw Error("a message of '" + message.topic + "' is no picture");
+  if (!file) throw Error("a message of '" + message.topic + "' is not a picture");
   return {toStamp(file->message.header.stamp), withoutLeadingSlashes(file->message.header.frame_id),
           PictureFile{file->message.format, std::move(file->message.data)}};
 }

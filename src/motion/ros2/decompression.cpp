@@ -69,7 +69,7 @@ std::string decompressed(std::string_view frame, const Decompressor& decompress)
       throw Error("breaks off before its compressed content ends");
     }
   }
-  if (!frame.empty()) throw Error("has bytes behind its compressed content");
+  if (!frame.empty()) throw Error("has bytes after its compressed content");
   content.resize(size);
   return content;
 }
@@ -108,7 +108,8 @@ TemporaryFile::TemporaryFile() {
   const int descriptor = mkstemp(path_.data());
   if (descriptor < 0) {
     const std::string wanted = std::exchange(path_, "");
-    throw Error("no temporary file can be made like " + wanted + "; TMPDIR names another folder");
+    throw Error("no temporary file can be made like " + wanted +
+                "; TMPDIR can name another folder");
   }
   close(descriptor);
 }
@@ -142,8 +143,8 @@ TemporaryFile decompressZstdFile(const std::string& file) {
       to.write(output.data(), static_cast<std::streamsize>(step.made));
       if (!to || size + kLeftFree > room) {
         throw Error("becomes more than " + std::to_string(size >> 20U) +
-                    " MiB when it is decompressed, for which there is no room beside " +
-                    result.path() + "; TMPDIR names another folder");
+                    " MiB when decompressed, for which there is no room next to " + result.path() +
+                    "; TMPDIR can name another folder");
       }
     }
   }

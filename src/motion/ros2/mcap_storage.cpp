@@ -86,8 +86,7 @@ class McapFile {
     finishChunk();
     if (!is_whole) {
       storage.note = "breaks off after " + std::to_string(storage.messages.size()) +
-                     " messages, at byte " + std::to_string(place) +
-                     ": what is before that is read";
+                     " messages, at byte " + std::to_string(place) + ": what comes before is read";
     }
     storage.kind = "mcap";
     for (const std::string& compression : compressions_) storage.kind += ", " + compression;
@@ -102,7 +101,7 @@ class McapFile {
     const Loaded& chunk = loaded(place >> 32U);
     const std::uint64_t offset = place & 0xFFFFFFFFU;
     if (!std::binary_search(chunk.messages.begin(), chunk.messages.end(), offset)) {
-      throw Error("its index leads to what is no message");
+      throw Error("its index points to something other than a message");
     }
     return std::string(messageAt(chunk.content, offset).data);
   }
@@ -144,7 +143,7 @@ class McapFile {
     StoredTopic topic{channel.topic, "", channel.encoding, ""};
     const auto schema = schemas_.find(channel.schema);
     if (channel.schema != 0 && schema == schemas_.end()) {
-      throw Error("the channel of '" + channel.topic + "' is of a schema that is not there");
+      throw Error("the channel of '" + channel.topic + "' has a schema that does not exist");
     }
     if (schema != schemas_.end()) {
       topic.type = schema->second.name;
@@ -224,7 +223,7 @@ class McapFile {
 
   void note(std::uint16_t channel, std::uint64_t recorded, std::uint64_t place) {
     const auto topic = topic_of_.find(channel);
-    if (topic == topic_of_.end()) throw Error("a message is of a channel that is not there");
+    if (topic == topic_of_.end()) throw Error("a message refers to a channel that does not exist");
     storage_->messages.push_back({recordTime(recorded), topic->second, place});
   }
 

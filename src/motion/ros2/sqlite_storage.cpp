@@ -52,7 +52,7 @@ void readMessages(const SqliteDatabase& database, Storage& storage) {
     if (last && rows.integer(0) <= *last) throw Error("its messages are not in order");
     last = rows.integer(0);
     const auto topic = index_of.find(rows.integer(1));
-    if (topic == index_of.end()) throw Error("a message is of a topic that is not there");
+    if (topic == index_of.end()) throw Error("a message refers to a topic that does not exist");
     storage.messages.push_back({recordTime(static_cast<std::uint64_t>(rows.integer(2))),
                                 topic->second, static_cast<std::uint64_t>(*last)});
   }
@@ -78,7 +78,7 @@ Storage openSqlite(const std::string& file) {
       std::make_shared<SqliteStatement>(*database, "SELECT data FROM messages WHERE rowid = ?");
   storage.read = [database, row](std::uint64_t place) {
     row->start(static_cast<std::int64_t>(place));
-    if (!row->step()) throw Error("it is not there any more");
+    if (!row->step()) throw Error("it is no longer there");
     return row->blob(0);
   };
   return storage;

@@ -16,7 +16,7 @@ Stamp recordTime(std::uint64_t nanoseconds) {
   constexpr std::uint64_t kEnd = std::numeric_limits<std::uint32_t>::max() * kSecond;
   if (nanoseconds < kEnd) return Stamp(static_cast<std::int64_t>(nanoseconds));
   throw Error("a message is said to be recorded " + std::to_string(nanoseconds / kSecond) +
-              " s after the epoch, which is no time of ROS");
+              " s after the epoch, which is not a ROS time");
 }
 
 Storage openStorage(const std::string& file) {

@@ -116,7 +116,7 @@ std::optional<FrameFinding> findFight(const FrameNames& names, FrameId child,
   const std::string who =
       publishers.size() > 1 ? "; its publishers are " + base::listed(publishers) : std::string();
   return FrameFinding{child, "two publishers seem to fight over the frame " + quoted(names, child) +
-                                 ": it " + what + who + "; its poses are as unsteady as that"};
+                                 ": it " + what + who + "; its poses are just as unsteady"};
 }
 
 std::optional<FrameFinding> findParentChange(const FrameNames& names, FrameId child,
@@ -133,7 +133,7 @@ std::optional<FrameFinding> findParentChange(const FrameNames& names, FrameId ch
             secondsText(after.stamp);
   }
   if (changes.size() > kMost) {
-    list += ", and " + std::to_string(changes.size() - kMost) + " times more";
+    list += ", and " + std::to_string(changes.size() - kMost) + " more times";
   }
   return FrameFinding{child, "the frame " + quoted(names, child) + " changes its parent from " +
                                  quoted(names, samples.front().parent) + list};
@@ -148,7 +148,7 @@ std::optional<FrameFinding> findStaticChange(const FrameNames& names, FrameId ch
     list += (i == 1 ? "" : ", ") + secondsText(samples[i].stamp);
   }
   if (samples.size() > kMost + 1) {
-    list += ", and " + std::to_string(samples.size() - kMost - 1) + " times more";
+    list += ", and " + std::to_string(samples.size() - kMost - 1) + " more times";
   }
   return FrameFinding{child,
                       "the static transform " + quoted(names, samples.front().parent) + " -> " +

@@ -152,7 +152,7 @@ void PoseTopics::nameTopic(const PoseTopic& named, const std::vector<JointedRobo
     }
     if (message->names_frames && !message->moves_one_frame && named.frame) {
       throw Error("found the frame '" + *named.frame + "' of '" + named.topic +
-                  "', whose messages (" + topic.type + ") move many frames that they name");
+                  "', whose messages (" + topic.type + ") name the many frames that they move");
     }
     read({topic, message}, named.frame.value_or(""));
     return;

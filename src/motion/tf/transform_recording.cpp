@@ -208,7 +208,7 @@ void TransformRecording::cut(std::optional<std::size_t> stretch) {
   findStretches(cuts);
   if (stretch && *stretch >= stretches_.size()) {
     throw ErrorList({"stretch: found " + std::to_string(*stretch) +
-                     "; time does not go back so often in the recording, whose stretches are " +
+                     "; time does not go back that often in the recording; its stretches are " +
                      stretchList(stretches_)});
   }
   stretch_ = stretch.value_or(longestOf(stretches_));
@@ -239,7 +239,7 @@ void TransformRecording::dropMixedTimes(History& history, const std::vector<Arri
           (steps.size() == 1 ? "" : ", " + std::to_string(steps.size()) + " times, first") +
           ", to " + secondsText(first->stamp) + "; of its " + std::to_string(transforms.size()) +
           " transforms, " + std::to_string(transforms.size() - kept.size()) +
-          " are left out, so that poses of before and after are not mixed"});
+          " are left out, so that poses from before and after are not mixed"});
   history.samples = inOrder(history.samples, kept);
   history.sources = inOrder(history.sources, kept);
 }

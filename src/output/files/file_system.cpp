@@ -47,7 +47,7 @@ void syncFileSystems(const std::vector<std::string>& folders) {
     if (descriptor >= 0) ::close(descriptor);
     if (failure != 0) {
       throw Error("what was written to '" + folder +
-                  "' cannot be forced to the disk: " + std::generic_category().message(failure));
+                  "' cannot be flushed to the disk: " + std::generic_category().message(failure));
     }
   }
 }

@@ -23,10 +23,10 @@ constexpr Query kQueries[] = {
     {"scene: instants that do not follow from index and number of cameras",
      "SELECT 'scene ' || \"index\" FROM scene WHERE instant <> \"index\" / (SELECT max(1, "
      "count(*)) FROM camera)"},
-    {"scene: cameras whose turn it is not",
+    {"scene: cameras out of turn",
      "SELECT 'scene ' || \"index\" FROM scene s WHERE EXISTS (SELECT 1 FROM camera) AND camera <> "
      "(SELECT name FROM camera c WHERE c.\"index\" = s.\"index\" % (SELECT count(*) FROM camera))"},
-    {"scene_object: an in_view that is not whether the loose box shares area with the image",
+    {"scene_object: an in_view that contradicts whether the loose box overlaps the image",
      "SELECT 'scene ' || scene || ' object ' || object FROM scene_object JOIN scene s ON "
      "s.\"index\" = scene WHERE in_view <> coalesce(max(loose_left, -0.5) < min(loose_right, "
      "s.width - 0.5) AND max(loose_top, -0.5) < min(loose_bottom, s.height - 0.5), 0)"},
@@ -42,7 +42,7 @@ constexpr Query kQueries[] = {
     // schema of a file uses it.
     {"draw: values that are not JSON",
      "SELECT 'scene ' || scene || ' ' || name FROM draw WHERE NOT json_valid(value)"},
-    {"file: linked to what is no listed file of the same size and digest",
+    {"file: links to anything but a listed file of the same size and digest",
      "SELECT path FROM file f WHERE linked_to NOT NULL AND NOT EXISTS (SELECT 1 FROM file t WHERE "
      "t.path = f.linked_to AND t.bytes = f.bytes AND t.digest = f.digest)"},
     {"file: digests that are missing",  // a file of the whole dataset is listed before it exists
@@ -54,7 +54,7 @@ constexpr Query kQueries[] = {
     {"motion: instants that do not follow those of the motion before",
      "SELECT 'motion ' || \"index\" FROM motion m WHERE first_instant <> (SELECT "
      "coalesce(sum(instant_count), 0) FROM motion WHERE \"index\" < m.\"index\")"},
-    {"motion: instants in all that are not those of the run",
+    {"motion: a total of instants that is not the run's",
      "SELECT value FROM run WHERE key = 'scene_count' AND CAST(value AS INTEGER) <> (SELECT "
      "coalesce(sum(instant_count), 0) FROM motion) * (SELECT max(1, count(*)) FROM camera)"},
 };

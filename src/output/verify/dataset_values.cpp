@@ -65,7 +65,7 @@ void SceneVerifier::compareDatasetFiles(std::size_t writer, const std::vector<st
   for (const std::string& problem : differing.problems) listener_.problem(origin + problem);
   for (const std::string& file : differing.not_compared) {
     remark("'" + pathBelow(of.output_folder, file) + "' of '" + of.name +
-           "' is checked by its size and SHA-256 alone: it is too large to be made once more");
+           "' is checked only by its size and SHA-256: it is too large to be made again");
   }
   if (differing.files.empty()) return;
   ExpectedFiles right(ready);
@@ -81,7 +81,7 @@ void SceneVerifier::compareDatasetFiles(std::size_t writer, const std::vector<st
   for (const std::string& line : differences.lines()) listener_.problem(origin + line);
   for (const std::string& file : differing.by_name) {
     remark("'" + pathBelow(of.output_folder, file) + "' of '" + of.name +
-           "' has other bytes than its writer makes, and the same labels");
+           "' has other bytes than its writer makes, but the same labels");
   }
 }
 

@@ -35,7 +35,7 @@ std::string stateProblem(const output::ManifestContent& content) {
   return "its state is 'running': " + std::to_string(content.scene_count) +
          " scenes are there, of " + std::to_string(content.run.scene_count) + " that the " +
          (content.shard ? "run has in all its shards" : "run has") +
-         "; the same command that began it goes on with it";
+         "; the same command that began it continues it";
 }
 
 /// Verifies one folder with all its manifests.
@@ -57,8 +57,8 @@ class Verification {
     }
     for (const std::string& manifest : manifests) {
       if (!output::RunLock::isHeld(manifest)) continue;
-      listener_.problem("'" + manifest + "': a run is writing it just now; verify the dataset " +
-                        "when that has come to its end");
+      listener_.problem("'" + manifest + "': a run is writing it right now; verify the dataset " +
+                        "when that has ended");
       return counts_;
     }
     for (const std::string& manifest : manifests) guarded(manifest, [&] { open(manifest); });
@@ -139,7 +139,7 @@ class Verification {
       tellStray(folder, stray.unlisted, "files that no manifest lists");
       if (is_running && stray.half_written.count > 0) {
         listener_.remark("'" + folder + "': " + std::to_string(stray.half_written.count) +
-                         " files are half written; the run that goes on replaces them");
+                         " files are half written; resuming the run replaces them");
       } else {
         tellStray(folder, stray.half_written, "half-written files of a run that was cut short");
       }
@@ -167,7 +167,7 @@ class Verification {
       const output::ManifestContent& content = dataset->content();
       if (content.shard->count != first->content().shard->count ||
           settingsDigest(content.run) != settingsDigest(first->content().run)) {
-        listener_.problem("'" + dataset->manifest() + "': it is no shard of the run of '" +
+        listener_.problem("'" + dataset->manifest() + "': it is not a shard of the run of '" +
                           first->manifest() + "': the settings, or the number of shards, differ");
       }
     }

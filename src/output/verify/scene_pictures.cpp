@@ -54,7 +54,7 @@ std::string depthProblem(const cv::Mat& depth, const DepthNumbers& numbers,
     const double found = numbers.unit * cv::sum(depth(square))[0];
     const double rounding = numbers.rounding * cv::countNonZero(depth(square));
     if (std::abs(found - right) <= rounding + kSingle * (1.0 + right)) return;
-    problem = "found depths of " + std::to_string(found) + " m together in the square at " +
+    problem = "found depths that sum to " + std::to_string(found) + " m in the square at " +
               std::to_string(square.x) + ", " + std::to_string(square.y) + "; it should be " +
               std::to_string(right);
   });

@@ -60,13 +60,13 @@ SceneVerifier::SceneVerifier(const WrittenDataset& dataset, VerificationDepth de
   }
   if (!content.is_current) {
     remark(
-        "it is one of release 0.1.0, which does not say what labels should be: it is checked "
+        "it is from release 0.1.0, which does not record what labels should be: the checks are "
         "that files are as they were written, and that labels can be read");
   } else if (loader != nullptr) {
     loadWriters(*loader);
   }
   if (unread.empty() || content.scene_count == 0) return;
-  remark("the labels of " + unread + " are checked as the manifest keeps them, and not counted: " +
+  remark("the labels of " + unread + " are checked as stored in the manifest, and not counted: " +
          "their files are those of a whole, complete dataset");
 }
 
@@ -318,7 +318,7 @@ void SceneVerifier::compare(const SceneFacts& facts, std::size_t writer, const W
   Labels& labels = labels_[writer];
   if (!differences.unknown.empty() && !std::exchange(labels.has_unknown_files, true)) {
     remark("'" + differences.unknown + "' of '" + dataset_.content().writers[writer].name +
-           "', and files like it, are checked by their sizes and SHA-256 alone: they are made of "
+           "', and files like it, are checked only by their sizes and SHA-256: they are made of "
            "pictures or clouds that no file of the dataset holds unchanged");
   }
   if (differences.values.empty() && differences.pictures.empty()) return;

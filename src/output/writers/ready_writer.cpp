@@ -31,8 +31,8 @@ void refuseExit() {
   const std::string* writer = writer_at_work.load();
   if (writer == nullptr) return;  // the program ends normally
   std::fprintf(stderr,
-               "writer '%s': its plugin has ended the program by a call of exit(); the dataset is "
-               "unfinished, and the same command goes on with it\n",
+               "writer '%s': its plugin has ended the program by calling exit(); the dataset is "
+               "unfinished, and the same command continues it\n",
                writer->c_str());
   std::fflush(nullptr);
   _exit(EXIT_FAILURE);

@@ -53,7 +53,7 @@ std::string unknownType(const std::string& type, const std::vector<std::string>&
   const bool has_package = type.find('/') != std::string::npos;
   return "there is no writer type '" + type + "'" +
          didYouMean(has_package ? type : "synthetic_dataset/" + type, types) +
-         " (types that there are: " + base::listed(types) + ")";
+         " (available types: " + base::listed(types) + ")";
 }
 
 using PluginLoader = pluginlib::ClassLoader<LabelWriter>;
@@ -66,7 +66,7 @@ std::unique_ptr<PluginLoader> makeLoader(const std::vector<std::string>& files) 
     return std::make_unique<PluginLoader>("synthetic_dataset", "synthetic_dataset::LabelWriter",
                                           "plugin", files);
   } catch (const pluginlib::PluginlibException& exception) {
-    throw Error(std::string("writers cannot be looked for: ") + exception.what() +
+    throw Error(std::string("cannot search for writers: ") + exception.what() +
                 "; is the workspace's setup file sourced?");
   }
 }

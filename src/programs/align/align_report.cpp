@@ -70,19 +70,19 @@ std::vector<std::string> alignmentLines(const run::CameraAlignment& found,
   lines.push_back("  # +- " + fixed(shiftError(found), 4) + " m, " +
                   fixed(degrees(turnError(found)), 3) +
                   " degrees (standard deviation of the least "
-                  "known axis)");
+                  "certain axis)");
   if (!knowsPose(found)) {
     lines.push_back(
-        "# The pictures do not determine the correction that well: objects at several places "
-        "and distances would.");
+        "# The pictures do not determine the correction well: objects at several places and "
+        "distances would.");
   }
   if (!knowsFocalLength(found, asked)) {
     lines.push_back(
-        "# The pictures do not determine the focal length that well: objects at several distances "
+        "# The pictures do not determine the focal length well: objects at several distances "
         "would. Leave focal_scale out.");
   }
   if (!isBetter(found)) {
-    lines.push_back("# The labels do not meet the pictures better with it: do not use it.");
+    lines.push_back("# The labels do not fit the pictures better with it: do not use it.");
   }
   return lines;
 }

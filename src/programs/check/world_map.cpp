@@ -192,7 +192,7 @@ cv::Mat worldMap(const run::MotionSetup& motion, bool is_only,
   }
   return paper.finish({(is_only ? "From" : "Motion '" + motion.entry.name + "' from") +
                            " above, in " + motion.frames->globalFrame() + ": x to the right, y up",
-                       "dots: where ways begin, and cameras with what they see"});
+                       "dots: where paths begin, and cameras with what they see"});
 }
 
 }  // namespace synthetic_dataset::programs

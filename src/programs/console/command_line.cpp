@@ -124,15 +124,15 @@ the node's private parameters.
   --check      makes no dataset: prints what the run would be and what is odd about it,
                and leaves check.png (some scenes with their labels) and map.png (the
                world from above) in DIR, or beside FILE
-  --json       prints lines for scripts: of a FILE how far the run is, and at the end the result
+  --json       prints lines for scripts: with a FILE the run's progress, and at the end the result
                (done, stopped or failed), what was made, the warnings and the errors
-  --settings   prints every setting with its default; with --json as a JSON schema. Of a FILE: its
-               settings, with what presets and other short forms in it stand for
+  --settings   prints every setting with its default; with --json as a JSON schema. With a FILE:
+               its settings, with presets and other short forms written out
   --help       prints this
 
   generate --config my.yaml output_folder:=/data/run_7
 
-The same command again goes on where a run was stopped.
+The same command again continues a stopped run.
 Exit codes: 0 done (the last line says if labels are missing), 1 refused or failed,
 128 + N after signal N (130 SIGINT, 143 SIGTERM, 129 SIGHUP); of --check, 3 if
 something is odd.
@@ -143,9 +143,9 @@ std::string checkUsage() {
   return R"(usage: check FILE [NAME:=VALUE ...] [--out DIR]
 
 Looks at the run of a settings file before it is made: prints its times, scenes,
-cameras and formats, what it takes of disk, time and memory, and what is odd about it,
-each with its figure and what mends it. Makes some nine scenes, and no dataset. Leaves
-check.png (these scenes with their labels) and map.png (the world, the ways of objects
+cameras and formats, how much disk, time and memory it takes, and what is odd about it,
+each with its figure and a remedy. Makes about nine scenes, and no dataset. Leaves
+check.png (these scenes with their labels) and map.png (the world, the paths of objects
 and the cameras from above) in DIR, or beside FILE.
 
   NAME:=VALUE  overrides the file, as with generate
@@ -153,7 +153,7 @@ and the cameras from above) in DIR, or beside FILE.
 
   check my.yaml --out /tmp/look
 
-Exit codes: 0 nothing is odd, 3 something is, 1 there could be no such run.
+Exit codes: 0 nothing is odd, 3 something is, 1 the run is not possible.
 )";
 }
 

@@ -109,7 +109,7 @@ void VideoFile::write(const cv::Mat& picture) const {
 }
 
 void VideoFile::finish() {
-  if (process_ < 0) throw Error("'" + file_ + "': there is no picture to make a film of");
+  if (process_ < 0) throw Error("'" + file_ + "': there are no pictures to make a video of");
   closeInput();
   int status = 0;
   while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {

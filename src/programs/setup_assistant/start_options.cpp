@@ -38,7 +38,7 @@ AssistantOptions parseAssistantLine(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     const auto next = [&]() -> const std::string& {
-      if (i + 1 == arguments.size()) throw Error(argument + ": found nothing behind it");
+      if (i + 1 == arguments.size()) throw Error(argument + ": found nothing after it");
       return arguments[++i];
     };
     if (argument == "--help" || argument == "-h") {
@@ -68,14 +68,14 @@ AssistantOptions parseAssistantLine(const std::vector<std::string>& arguments) {
 std::string assistantUsage() {
   return R"(usage: setup_assistant [FILE] [BAG...] [--folder DIR]... [--port N] [--address A]
 
-Sets a run up in a browser: prints the page's address, and serves it until it is stopped.
+Sets up a run in a browser: prints the page's address, and serves it until it is stopped.
 
-  FILE       the settings file, by default settings.yaml; made if it is not there
-  BAG        recordings for a FILE that is made: .bag, .db3, .mcap, or a folder of ROS 2
-  --folder   a folder that the page may read, too, beside those of FILE, of ROS packages and of
-             models; once for each
-  --port     by default one that is free
-  --address  to listen on, by default 127.0.0.1, which no other machine reaches
+  FILE       the settings file, by default settings.yaml; created if it does not exist
+  BAG        recordings for a new FILE: .bag, .db3, .mcap, or a folder of ROS 2
+  --folder   another folder that the page may read, besides those of FILE, of ROS packages and
+             of models; once for each
+  --port     by default any free port
+  --address  the address to listen on, by default 127.0.0.1, which no other machine reaches
   --page     a folder with the page's files, for developers of the page
   --help     prints this
 
@@ -83,14 +83,14 @@ Sets a run up in a browser: prints the page's address, and serves it until it is
 
 From another machine: ssh -L 8080:127.0.0.1:PORT HOST
 
-Exit codes: 0 stopped by a signal, 1 a file cannot be read or written, or nobody can listen there.
+Exit codes: 0 stopped by a signal, 1 a file cannot be read or written, or it cannot listen there.
 )";
 }
 
 void makeSettingsFile(const AssistantOptions& options) {
   if (fs::exists(options.file)) {
     if (options.bag_files.empty()) return;
-    throw Error("'" + options.file + "' is there already; bags are for a file that is made");
+    throw Error("'" + options.file + "' already exists; bags are only for a new file");
   }
   const fs::path folder = fs::absolute(options.file).parent_path();
   if (!fs::is_directory(folder)) throw Error("'" + folder.string() + "': no such folder");

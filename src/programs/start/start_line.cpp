@@ -65,7 +65,7 @@ StartLine parseStartLine(const std::vector<std::string>& arguments) {
                std::find(kOptions.begin(), kOptions.end(), name) != kOptions.end()) {
       setOption(name, argument.substr(name.size() + 1), line);
     } else if (argument.empty() || argument.front() == '-') {
-      throw Error("found '" + argument + "', which is no option");
+      throw Error("found '" + argument + "', which is not an option");
     } else {
       line.bag_files.push_back(argument);
     }

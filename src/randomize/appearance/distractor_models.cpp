@@ -99,7 +99,7 @@ std::vector<world::Model> makeDistractors(
       models.push_back(load(file, name));
       models.back().X_WM = Pose::Identity();
       if (!canBeSeen(models.back())) {
-        throw Error("found '" + file + "', a model of which nothing can be seen");
+        throw Error("found '" + file + "', a model without visible parts");
       }
       continue;
     }

@@ -138,7 +138,7 @@ void LookSampler::checkLightCount(base::Diagnostics& errors) const {
   errors.error("randomize/light_count",
                "found up to " + Value(highest).text() + "; the world has " + std::to_string(count) +
                    (count == 1 ? " light" : " lights") +
-                   ", and it should be no more (where a normal distribution ends, its `max` says)");
+                   ", and it should be no more (a normal distribution ends at its `max`)");
 }
 
 void LookSampler::findSurfaces(const std::string& target, const MaterialRandomization& config,
@@ -174,7 +174,7 @@ void LookSampler::findSurfaces(const std::string& target, const MaterialRandomiz
   }
   if (!indices.empty() || isKind(target)) return;
   errors.error(parameter,
-               "the world has nothing of this name that can be seen; it should be objects, "
+               "the world has nothing visible of this name; it should be objects, "
                "distractors, world, a model, model::link or model::link::visual" +
                    didYouMean(target, modelNames(world_)));
 }

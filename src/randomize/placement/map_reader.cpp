@@ -82,7 +82,7 @@ std::string unknownTakenForFree(const cv::Mat& picture, const MapFile& file) {
   }
   if (count == 0) return "";
   const double share = 100.0 * static_cast<double>(count) / static_cast<double>(picture.total());
-  return fixed(share, 0) + " % of its cells have the shade 205 of what is unknown, and count as " +
+  return fixed(share, 0) + " % of its cells have the shade 205 of unknown cells, and count as " +
          "free by its free_thresh of " + Value(file.free_threshold).text() +
          "; `free_thresh: 0.196` leaves them out";
 }
@@ -91,7 +91,7 @@ cv::Mat readPicture(const std::string& file) {
   std::error_code unknown;
   if (const std::string fault = base::inputFault(file); !fault.empty()) throw Error(fault);
   if (!std::filesystem::exists(file, unknown)) {
-    throw Error("is no file; a relative path starts at the folder of the YAML file");
+    throw Error("is not a file; a relative path starts at the folder of the YAML file");
   }
   return base::decodePixels(base::readInputBytes(file), file);
 }
@@ -120,7 +120,7 @@ OccupancyMap mapOf(const motion::RecordedMap& recorded, const Thresholds& thresh
   const auto R_FM = recorded.X_FM.linear();
   if (R_FM(2, 2) < 1.0 - kTilt) {
     throw Error("found a map that is tilted in '" + recorded.frame +
-                "'; it should be turned about z alone");
+                "'; it should be turned about z only");
   }
   const Eigen::Vector3d p_FM = recorded.X_FM.translation();
   std::vector<Cell> cells;

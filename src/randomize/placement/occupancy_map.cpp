@@ -23,7 +23,7 @@ void checkSides(std::size_t width, std::size_t height, std::size_t cell_count) {
   }
   if (width * height > kMostCells) {
     throw Error("found a map of " + sides + "; it should have at most " +
-                std::to_string(kMostCells) + " of them, so coarser ones for as large a place");
+                std::to_string(kMostCells) + ", so coarser cells for a place of this size");
   }
   if (cell_count != width * height) {
     throw Error("found " + std::to_string(cell_count) + " cells of a map of " + sides);
@@ -45,7 +45,7 @@ OccupancyMap::OccupancyMap(std::size_t width, std::size_t height, double resolut
     throw Error("found a resolution of " + Value(resolution).text() + " m; it should be above 0");
   }
   if (!Eigen::Vector4d(X_GM.x, X_GM.y, X_GM.z, X_GM.yaw).allFinite()) {
-    throw Error("found a pose of the map that is none; it should be of finite numbers");
+    throw Error("found a map pose that is not finite; it should be of finite numbers");
   }
 }
 

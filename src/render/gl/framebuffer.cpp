@@ -62,7 +62,7 @@ void attachPlanes(const GlFunctions& gl, const GlFramebuffer& framebuffer,
   gl.NamedFramebufferDrawBuffers(name, static_cast<GLsizei>(outputs.size()), outputs.data());
   const GLenum status = gl.CheckNamedFramebufferStatus(name, GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error("Mesa refuses a picture to draw into (status " + std::to_string(status) + ")");
+    throw Error("Mesa refuses to draw into a picture (status " + std::to_string(status) + ")");
   }
 }
 

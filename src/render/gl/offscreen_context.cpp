@@ -49,8 +49,8 @@ OffscreenContext::OffscreenContext() : platform_(openChosen()) {
   if (gl_->GetString(GL_VERSION) == nullptr) {
     throw Error(
         "the OpenGL context does not answer: another libGL was loaded into the process before "
-        "OSMesa (often by a library linked with opencv_highgui); SYNTHETIC_DATASET_GL=egl does "
-        "without OSMesa, where this program was built with EGL");
+        "OSMesa (often by a library linked with opencv_highgui); SYNTHETIC_DATASET_GL=egl "
+        "avoids OSMesa, if this program was built with EGL");
   }
   requireProcessor();
   requireThreads();

@@ -218,11 +218,11 @@ std::vector<std::string> lightNotes(const std::vector<world::Light>& lights, Lig
                     std::to_string(most) + " strongest do so");
   };
   noteMost(static_cast<std::size_t>(casting), kMostCasting, " that cast shadows");
-  noteMost(lights.size(), kMostOnGlass, ", which light what one can see through");
+  noteMost(lights.size(), kMostOnGlass, ", which light transparent surfaces");
   for (const world::Light& light : lights) {
     if (!light.casts_shadow || castsShadow(light, detail)) continue;
     notes.push_back("light '" + light.name +
-                    "' casts no shadow: point lights do so with rendering/light: full alone");
+                    "' casts no shadow: point lights do so only with rendering/light: full");
   }
   return notes;
 }

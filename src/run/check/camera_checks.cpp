@@ -92,7 +92,7 @@ std::optional<std::string> wrongPlace(const MotionSetup& motion, const NamedRays
   if (const auto model = modelAround(rays, shells, p_G)) return "is inside of '" + *model + "'";
   if (const auto model = groundAbove(*motion.world, p_G)) return "is below '" + *model + "'";
   if (const auto model = modelBefore(rays, scene)) {
-    return "has '" + *model + "' less than 0.15 m before most of its lens";
+    return "has '" + *model + "' less than 0.15 m in front of most of its lens";
   }
   if (const auto object = objectBefore(scene)) {
     return "sees nothing but '" + *object + "', or is inside of it";
@@ -142,11 +142,11 @@ std::string hiddenBy(const Scene& scene, const SceneObject& object, const NamedR
 std::string whyUnseen(const Scene& scene, const SceneObject& object, const NamedRays& rays) {
   const Eigen::Vector3d p_C = *object.X_CO * object.cuboid_O.centre();
   if (!object.inView(scene.camera)) {
-    return p_C.z() > 0.0 ? "beside the picture" : "behind the camera";
+    return p_C.z() > 0.0 ? "outside the picture" : "behind the camera";
   }
   if (p_C.norm() > scene.camera.far()) return "beyond camera/far";
   if (object.pixels.silhouette_in_image() == 0) {
-    return object.truncation() > 0.5 ? "beside the picture" : "smaller than a pixel";
+    return object.truncation() > 0.5 ? "outside the picture" : "smaller than a pixel";
   }
   return hiddenBy(scene, object, rays);
 }
@@ -199,8 +199,8 @@ std::vector<Finding> upsideDown(const std::vector<const Scene*>& scenes) {
                             " of " + std::to_string(count.scenes) +
                             " scenes: the optical frame's y axis, which is down in the picture, "
                             "points up",
-                        "its roll should be half a turn (3.1416, deg(180)) more or less; if it "
-                        "hangs so on purpose, all is well"});
+                        "its roll should differ by half a turn (3.1416, deg(180)); if it is "
+                        "mounted so on purpose, ignore this"});
   }
   return findings;
 }
@@ -280,7 +280,7 @@ std::vector<Finding> checkCameras(const MotionSetup& motion, const NamedRays& ra
                         where.second + " in " + std::to_string(places.count) + " of " +
                             std::to_string(scenes.size()) + " scenes, first at " + places.first,
                         "the map shows where it stands; its pose, or its frame in the recording, "
-                        "should be another"});
+                        "should be changed"});
   }
   for (Finding& each : upsideDown(scenes)) findings.push_back(std::move(each));
   return findings;

@@ -70,8 +70,8 @@ void checkRate(const MotionSetup& motion, const std::vector<FollowedFrame>& fram
   if (motion.config.motion.rate < kDense * rate) return;
   findings.push_back(
       {"too dense", "simulated_rate",
-       "makes " + hertz(motion.config.motion.rate) + " of a recording whose frames move with " +
-           hertz(rate) + " at most: what lies between is interpolated, and scenes are nearly equal",
+       "makes " + hertz(motion.config.motion.rate) + " of a recording whose frames move at " +
+           hertz(rate) + " at most: poses in between are interpolated, and scenes are nearly equal",
        "`simulated_rate: " + fixed(rate, rate < 10.0 ? 1 : 0) + "` or less"});
 }
 
@@ -124,10 +124,10 @@ void checkStandingStill(const MotionSetup& motion, const std::vector<FollowedFra
              " s of the run" +
              (others.empty() ? "" : ", while " + base::listed(others, 3) + " does"),
          others.empty()
-             ? "`frame:` may have to name another, and global_frame the one that it moves in; if "
-               "it stands there on purpose, all is well"
+             ? "`frame:` may need to name another frame, and global_frame the one it moves in; if "
+               "it stands there on purpose, ignore this"
              : "`frame: " + others.front() +
-                   "` follows that; if it stands there on purpose, all is well"});
+                   "` follows that; if it stands there on purpose, ignore this"});
   }
 }
 
@@ -148,8 +148,8 @@ void checkOpticalFrames(const MotionSetup& motion, std::vector<Finding>& finding
          "its frame '" + camera.frame +
              "' looks straight up all the time: it seems to be the frame of the camera's body (x "
              "ahead, z up), not the optical one (z ahead, y down) of REP 103",
-         "the frame that is named should be the optical one, often '..._optical_frame'; where "
-         "there is none, `correction: [0, 0, 0, -0.5, 0.5, -0.5, 0.5]` turns this one"});
+         "the named frame should be the optical one, often '..._optical_frame'; if there is "
+         "none, `correction: [0, 0, 0, -0.5, 0.5, -0.5, 0.5]` turns this one"});
   }
 }
 

@@ -215,10 +215,10 @@ std::optional<Finding> missingFiles(const RunSetup& setup) {
   if (missing.size() == 1) return Finding{"missing files", "world", missing.front(), ""};
   return Finding{"missing files", "world",
                  std::to_string(missing.size()) +
-                     " files are missing, and what needs them is left out (on_missing_asset: "
-                     "warn), the first: " +
+                     " files are missing, and whatever needs them is left out (on_missing_asset: "
+                     "warn); the first: " +
                      missing.front(),
-                 "`inspect` names all"};
+                 "`inspect` lists all"};
 }
 
 /// The findings of set-up, and all its other warnings.

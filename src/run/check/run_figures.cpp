@@ -116,13 +116,13 @@ std::vector<Finding> checkFigures(const RunFigures& figures) {
     findings.push_back({"disk", "output_folder",
                         "the dataset takes about " + bytesText(figures.bytes) + ", and " +
                             bytesText(*figures.free_disk) + " are free",
-                        "another disk, fewer scenes or formats, or JPEG images would do"});
+                        "another disk, fewer scenes or formats, or JPEG images would help"});
   }
   if (figures.memory > figures.memory_limit) {
     findings.push_back({"memory", "processes",
                         "they take about " + bytesText(figures.memory) + " of memory, and " +
-                            bytesText(figures.memory_limit) + " are there",
-                        "fewer processes would do"});
+                            bytesText(figures.memory_limit) + " are available",
+                        "fewer processes would help"});
   }
   return findings;
 }

@@ -106,8 +106,7 @@ void SceneStatistics::findPictures(const Pictures& pictures, const std::string& 
 std::vector<Finding> SceneStatistics::findings() const {
   std::vector<Finding> findings;
   findPictures(dark_, "dark", "nearly black",
-               "the world may lack a light, or randomize or camera/effects/exposure may take it "
-               "away",
+               "the world may lack a light, or randomize or camera/effects/exposure may remove it",
                findings);
   findPictures(bright_, "bright", "nearly white",
                "lights may be too strong, or camera/effects/exposure too high", findings);
@@ -118,7 +117,7 @@ std::vector<Finding> SceneStatistics::findings() const {
   if (!has_thresholds_ && areMany(tiny_labels_, labels_)) {
     findings.push_back({"tiny labels", "labels",
                         std::to_string(tiny_labels_) + " of " + std::to_string(labels_) +
-                            " labels are of fewer than " + std::to_string(kTinyLabel) +
+                            " labels have fewer than " + std::to_string(kTinyLabel) +
                             " visible pixels",
                         "`labels/min_pixels: " + std::to_string(kTinyLabel) +
                             "` leaves them out, a nearer camera makes them larger"});

@@ -19,7 +19,7 @@ std::string cureOf(const config::SplitConfig& split) {
     return "other shares, or a part of the recording in which it is seen more often, would help";
   }
   return "`split/by: balanced_blocks` chooses stretches of the recording so that each split has "
-         "each class, where that can be";
+         "each class, if possible";
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string splitLine(const RunSetup& setup, const std::vector<SplitLabels>& spl
     }
     line += (line.empty() ? "" : "; ") + split.split + " " + base::listed(counts, 8);
   }
-  return "labels, as far as boxes reach into the picture: " + line;
+  return "labels, counting boxes that reach into the picture: " + line;
 }
 
 std::vector<Finding> checkSplits(const RunSetup& setup, const std::vector<SplitLabels>& splits) {
@@ -74,7 +74,7 @@ std::vector<Finding> checkSplits(const RunSetup& setup, const std::vector<SplitL
         missing.size() == there ? "no label at all" : "no label of " + base::listed(missing, 8);
     findings.push_back({"split without labels", "split",
                         split.split + " would have " + what +
-                            ": nothing of it reaches into the picture at any of its times",
+                            ": no such object reaches into the picture at any of its times",
                         cureOf(setup.config.split)});
   }
   return findings;

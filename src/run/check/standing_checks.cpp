@@ -91,19 +91,19 @@ Finding noGround(const std::string& object, const Below& below, const Moment& fi
           fixed(X_GO.translation().x(), 2) + ", " + fixed(X_GO.translation().y(), 2) + ", " +
           fixed(X_GO.translation().z(), 2) + "]",
       "the ground may end there (a larger one in the world, `duration` or `start_offset` help), "
-      "or the world's origin not be that of global_frame"};
+      "or the world's origin may not be that of global_frame"};
 }
 
 Finding inWalls(const std::string& object, const Below& below, const Moment& first,
                 const Pose& X_GO) {
   return {"in walls", object,
-          "is inside of things of the world at " + std::to_string(below.in_walls.size()) + " of " +
-              std::to_string(below.moments) + " times, first of '" + below.wall + "' at " +
+          "is inside parts of the world at " + std::to_string(below.in_walls.size()) + " of " +
+              std::to_string(below.moments) + " times, first in '" + below.wall + "' at " +
               fixed(toSeconds(first.stamp), 3) + " s, where it stands at [" +
               fixed(X_GO.translation().x(), 2) + ", " + fixed(X_GO.translation().y(), 2) + ", " +
               fixed(X_GO.translation().z(), 2) + "]",
-          "the map shows its way; the recording may be of another world, or the world's origin not "
-          "be that of global_frame"};
+          "the map shows its path; the recording may be of another world, or the world's origin "
+          "may not be that of global_frame"};
 }
 
 double medianGap(std::vector<double> numbers) {
@@ -129,8 +129,8 @@ void checkGap(const std::string& object, const Below& below, std::vector<Finding
   const double gap = medianGap(below.gaps);
   if (!isSteady(below.gaps, gap)) return;
   const std::string cure =
-      "its frame may stand at another height than its model's origin (base_link and "
-      "base_footprint differ by a wheel's radius: `frame_id` chooses), or the world's ground";
+      "its frame may be at another height than its model's origin (base_link and base_footprint "
+      "differ by a wheel's radius: `frame_id` chooses), or the world's ground at a wrong one";
   if (gap > kLeast && gap < kHover * below.height) {
     findings.push_back(
         {"floats", object,
@@ -138,8 +138,7 @@ void checkGap(const std::string& object, const Below& below, std::vector<Finding
   } else if (gap < -std::max(kLeast, 0.05 * below.height)) {
     findings.push_back(
         {"sinks", object,
-         "stands " + lengthText(-gap) + " deep in '" + below.ground + "' nearly all the time",
-         cure});
+         "sinks " + lengthText(-gap) + " into '" + below.ground + "' nearly all the time", cure});
   }
 }
 
@@ -157,9 +156,9 @@ Finding hanging(const std::string& object, const Below& below) {
   return {"hangs", object,
           "hangs in the air above '" + below.ground + "' in most of the scenes, by " +
               lengthText(medianGap(below.gaps)) +
-              " in the middle: `placement/mode: volume` puts it anywhere in the volume",
+              " (median): `placement/mode: volume` puts it anywhere in the volume",
           "`placement: {mode: ground}` lets it stand, `mode: drop` fall; if it flies on purpose, "
-          "all is well"};
+          "ignore this"};
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ bool isTaken(const std::string& frame, const scene::CameraOptions& camera, Motio
   if (owner.empty()) return false;
   setup.diagnostics.error(camera.group + "/frame_id",
                           "found '" + frame + "', which is also the frame of " + owner +
-                              "; a camera that is put somewhere needs a frame of its own");
+                              "; a camera that is placed needs a frame of its own");
   return true;
 }
 
@@ -94,7 +94,7 @@ void requireObjectsOfCameras(MotionSetup& setup) {
       object.when_unknown = scene::WhenUnknown::kSkipScene;
       setup.diagnostics.note(
           object.name + "/when_unknown",
-          "where it is not known, no scene is made all the same, as the camera " +
+          "scenes in which its pose is unknown are still left out, as the camera " +
               setup.cameras[camera].name + " is on it or looks at it");
       break;
     }

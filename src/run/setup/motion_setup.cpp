@@ -198,7 +198,7 @@ class MotionBuilder {
       const scene::ObjectOptions& object = config().objects[i];
       const auto note = [&](const std::string& parameter, const std::string& instead) {
         diagnostics().warning(object.name + "/" + parameter,
-                              "the same points are taken for all models of randomize/objects; " +
+                              "the same points are used for all models of randomize/objects; " +
                                   instead + " would find them on each");
       };
       if (!setup_.variants[i].hasSeveralModels()) continue;
@@ -271,11 +271,10 @@ class MotionBuilder {
       diagnostics().note(
           "twin",
           "neither depth_topic nor cloud_topic is set: nothing measures what stands in front "
-          "of the objects, and all of their pixels are labelled as if nothing did that "
-          "the world does not have");
+          "of the objects, and all of their pixels are labelled as if only the world's models did");
       return;
     }
-    on_stage_("looking through what was measured with the pictures");
+    on_stage_("looking through the measurements made with the pictures");
     setup_.surfaces = attempt([&] {
       return std::make_unique<scene::MeasuredSurfaces>(config().twin, config().motion.bag_files,
                                                        setup_.cameras, *setup_.pictures,

@@ -52,7 +52,7 @@ std::vector<std::string> RosPackageIndex::notes() const {
   std::vector<std::string> notes;
   if (!found_->packages) return notes;
   for (const auto& [folder, reason] : found_->packages->broken) {
-    notes.push_back(reason + "; the package is passed over");
+    notes.push_back(reason + "; the package is ignored");
   }
   return notes;
 }

@@ -60,9 +60,9 @@ void checkClouds(const std::vector<lidar::LidarRig>& lidars, const std::vector<S
       diagnostics.error(lidar.group + "/cloud_topic",
                         "the clouds of two scenes overlap by " +
                             fixed(1e3 * toSeconds(end - scenes[i] - begin), 0) +
-                            " ms, and the world has models that physics moves, which goes forward "
-                            "alone; `every`, "
-                            "or twin/every of recorded pictures, leaves scenes out between them");
+                            " ms, and the world has models moved by physics, which only runs "
+                            "forward; `every`, or twin/every of recorded pictures, leaves scenes "
+                            "out between them");
       break;
     }
   }

@@ -144,8 +144,8 @@ class Builder {
     if (any && split.by == config::SplitBy::kScenes) {
       diagnostics().warning(
           "split/by",
-          "scenes of a recording are drawn one by one, so those of val and test have "
-          "neighbours in time in train that look alike, and results on them are too "
+          "scenes of a recording are assigned one by one, so those of val and test have "
+          "look-alike neighbours in time in train, and results on them are too "
           "good; `by: blocks` with a `gap` keeps them apart");
     }
     if (split.gap <= 0.0 || split.by == config::SplitBy::kScenes) return;
@@ -258,7 +258,7 @@ class Builder {
     // unknown.
     if (setup_.writers && config::isNnDataCollectionFile(parameters_)) {
       for (const std::string& each : unknownParameters(list_.entries, roots_)) {
-        diagnostics().warning("", each + "; it is passed over");
+        diagnostics().warning("", each + "; it is ignored");
       }
     } else if (setup_.writers) {
       addErrors(unknownParameters(list_.entries, roots_));
@@ -286,7 +286,7 @@ class Builder {
     if (!config().lidars.empty()) run.software["embree"] = lidar::rayCasterVersion();
     const std::set<std::string> inputs = inputsOf(setup_.motions);
     for (const MotionSetup& motion : setup_.motions) diagnostics().merge(motion.diagnostics);
-    on_stage_("taking the checksums of " + std::to_string(inputs.size()) + " input files");
+    on_stage_("computing the checksums of " + std::to_string(inputs.size()) + " input files");
     findOdd();
     run.inputs = inputs_.describe(inputs);
     run.credits = credits();

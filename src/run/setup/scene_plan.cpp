@@ -86,8 +86,8 @@ void leaveOutHalfExposed(const std::vector<motion::FrameId>& ids,
   leaveOut(is_half_exposed, timeline);
   if (timeline.stamps.empty()) {
     throw Error(
-        "effects/exposure_time, readout_time, lidars: no scene of the recording is known over "
-        "its whole exposure, or sweep, of " +
+        "effects/exposure_time, readout_time, lidars: no scene of the recording has known poses "
+        "over its whole exposure, or sweep, of " +
         fixed(toSeconds(last - first), 4) + " s");
   }
 }
@@ -101,7 +101,7 @@ std::string cureOf(const scene::ObjectOptions& object, const motion::FrameSource
   }
   if (cures.empty()) return "";
   return object.name + "/frame: found no frame '" + object.frame + "' in " + frames.title() +
-         "; in the group " + object.name + ", " + cures + " names one as a whole";
+         "; in the group " + object.name + ", " + cures + " names one in full";
 }
 
 /// Adds to an error about an object's frame the setting that names the frame.
@@ -211,9 +211,9 @@ void warnOfLostTime(const config::Config& config, const std::vector<scene::Camer
   for (const auto& [why, lost] : by_link) {
     timeline.diagnostics.warning(
         base::listed(lost.whom),
-        "no scene is made in " + secondsOf(lost.unknown) + " of the recording's " +
-            secondsOf(timeline.used) + ", where it is not known where " +
-            (lost.whom.size() == 1 ? "it is" : "they are") + ": " + why +
+        "no scenes in " + secondsOf(lost.unknown) + " of the recording's " +
+            secondsOf(timeline.used) + ", in which " +
+            (lost.whom.size() == 1 ? "its pose is" : "their poses are") + " unknown: " + why +
             (lost.cures.empty() ? ""
                                 : "; `when_unknown: absent` in the group " + lost.cures +
                                       " makes these scenes without it"));

@@ -130,8 +130,8 @@ std::vector<std::string> explainRelativePaths(std::vector<std::string> messages,
         message += "; in settings, $(env " + variable + ") is what a shell calls $" + variable;
         break;
       }
-      message += "; '" + path + "' starts at the current folder: \"$(dirname)/" + path +
-                 "\" would lie beside the settings file";
+      message += "; '" + path + "' is relative to the current folder: \"$(dirname)/" + path +
+                 "\" would be beside the settings file";
       break;
     }
   }

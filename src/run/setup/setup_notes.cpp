@@ -36,10 +36,9 @@ void noteUnseen(RunSetup& setup) {
   const Requirements& requirements = setup.writers->requirements();
   if (requirements.silhouettes) return;  // a mask format, which handles pixels in its own way
   if (label::looksAtPixels(requirements, config.masks, config.labels)) return;
-  setup.diagnostics.note(
-      "",
-      "no writer of this run asks which pixels show an object: one that something "
-      "hides is labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
+  setup.diagnostics.note("",
+                         "no writer of this run asks which pixels show an object: a hidden one is "
+                         "labelled as if it were seen (labels/min_pixels: 1 leaves it out)");
 }
 
 /// Noise on a picture that no format of this run writes is a mistake.
@@ -65,7 +64,7 @@ void noteIdleShutters(RunSetup& setup) {
     if (shutter.exposure_time.count() == 0 && shutter.readout_time.count() == 0) continue;
     setup.diagnostics.warning(
         camera.group + "/effects",
-        "exposure_time and readout_time have no effect, as what is placed stands still");
+        "exposure_time and readout_time have no effect, as placed scenes stand still");
   }
 }
 
@@ -100,9 +99,9 @@ void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
     const Cuboid given = scene::boxAround(object.bounding_shape_O);
     const double reach = diagonal(given);
     if (reach > kStrange * model || model > kStrange * reach) {
-      diagnostics.warning(object.name + "/bounding_shape",
-                          "its points reach over " + metres(reach) + ", the model over " +
-                              metres(model) + " (are they in metres?)");
+      diagnostics.warning(object.name + "/bounding_shape", "its points span " + metres(reach) +
+                                                               ", the model " + metres(model) +
+                                                               " (are they in metres?)");
     } else if (distanceTo(box_O, given.centre()) > model) {
       diagnostics.warning(object.name + "/bounding_shape",
                           "its middle is " + metres(distanceTo(box_O, given.centre())) +
@@ -116,7 +115,7 @@ void checkSizes(const scene::ObjectOptions& object, const Cuboid& box_O,
   constexpr double kOutside = 0.25;  // of the model's size; an antenna's tip may be missing from it
   if (farthest > kOutside * model) {
     diagnostics.warning(object.name + "/keypoints",
-                        "one is " + metres(farthest) + " away from the model, which reaches over " +
+                        "one is " + metres(farthest) + " away from the model, which spans " +
                             metres(model) +
                             " (are they in metres, and in the frame of the object?)");
   }

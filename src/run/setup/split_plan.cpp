@@ -63,8 +63,8 @@ void SplitPlan::nameSplits(const config::SplitConfig& config, const std::vector<
   }
   if (!named.empty() && config.shares.empty() && !all_have_one) {
     throw Error(
-        "split: missing; some of the motions have a split of their own, and it should say in "
-        "which the scenes of the others are");
+        "split: missing; some of the motions have a split of their own, and it should say "
+        "which one the others' scenes belong to");
   }
   for (const char* name : {"train", "val", "test"}) {
     if (named.count(name) != 0) names_.emplace_back(name);

@@ -247,9 +247,9 @@ ExpandedPreset expandPreset(const Value& settings, InputCache& inputs) {
     if (has_pictures) randomize.erase("distractors");
     result.notes.push_back(
         "the settings have " + surroundings +
-        ", so that poses and cameras stay as they are: the preset changes light, paint, "
-        "background" +
-        (has_pictures ? "" : ", distractors") + " and sensor alone");
+        ", so that poses and cameras stay as they are: the preset only changes light, "
+        "paint, background" +
+        (has_pictures ? "" : ", distractors") + " and sensor");
   }
   config::overlay(expanded, own);
   result.settings = Value(std::move(expanded));

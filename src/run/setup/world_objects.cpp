@@ -78,8 +78,8 @@ class Speller {
     }
     if (objects_.empty()) {
       diagnostics_.error("world_objects",
-                         "no model of the world is meant, and robot_list names no "
-                         "object; there should be one at least");
+                         "no model of the world matches, and robot_list names no "
+                         "object; there should be at least one");
       return {Value(std::move(settings_)), std::move(diagnostics_)};
     }
     settings_.erase("world_objects");
@@ -112,8 +112,8 @@ class Speller {
     if (!is_new || has(objects_, model)) return;  // robot_list takes precedence
     if (const std::string problem = whyNoName(model, settings_); !problem.empty()) {
       diagnostics_.error(name + "/models", "found the model '" + model + "', " + problem +
-                                               "; no object can have this name, so that the "
-                                               "pattern should not mean it");
+                                               "; no object can have this name, so the "
+                                               "pattern should not match it");
       return;
     }
     Value::Map object = entry;

@@ -133,7 +133,7 @@ class WorldBuilder {
     } else {
       diagnostics_.error("randomize/room",
                          "the world '" + config_.world.file +
-                             "' has a model 'room'; it should be a world without");
+                             "' has a model 'room'; it should be a world without one");
     }
   }
 
@@ -151,7 +151,7 @@ class WorldBuilder {
       diagnostics_.error(object.name + "/model",
                          "found none, and the world '" + config_.world.file + "' has no model '" +
                              object.name + "' (it has " + model_names_ +
-                             "); it should name a model file, or the world have that model");
+                             "); it should name a model file, or the world should have that model");
       return;
     }
     if (object.stands) {
@@ -226,17 +226,16 @@ class WorldBuilder {
       articulation.model = std::move(model);
     }
     if (variant.scale != 1.0 && !articulation.driven.empty()) {
-      throw Error(
-          "randomize/objects/" + object.name +
-          "/scale: links of this object follow TF, which leaves them as far apart as they "
-          "are in any size; it should be without scale, or have link_frames that TF does not "
-          "know, such as 'rigid/{link}'");
+      throw Error("randomize/objects/" + object.name +
+                  "/scale: links of this object follow TF, which keeps their distances the same "
+                  "at any size; it should be without scale, or have link_frames that TF does not "
+                  "know, such as 'rigid/{link}'");
     }
     if (variant.variety == randomize::Variety::kSameClass && variant.number == 1 &&
         !articulation.driven.empty()) {
       throw Error("randomize/objects/" + object.name +
-                  "/variety: found same_class, and links of this object follow TF, which leaves "
-                  "them as far apart as they are in any shape; it should be same_object or none, "
+                  "/variety: found same_class, and links of this object follow TF, which keeps "
+                  "their distances the same in any shape; it should be same_object or none, "
                   "or have link_frames that TF does not know, such as 'rigid/{link}'");
     }
     noteChange(varied, X_ML, variant.scale, articulation.model);

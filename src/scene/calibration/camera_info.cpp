@@ -101,7 +101,7 @@ Eigen::Matrix3d rotationOf(const std::array<double, 9>& numbers, Errors& errors)
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
   const double stray = (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (stray <= kTolerance && R.determinant() > 0.0) return R;
-  errors.emplace_back("rectification_matrix: it is no rotation, which it should be");
+  errors.emplace_back("rectification_matrix: it should be a rotation, but is not");
   return Eigen::Matrix3d::Identity();
 }
 
@@ -176,8 +176,8 @@ CalibratedCamera cameraFrom(const CameraInfoNumbers& numbers, const CalibrationU
   }
   if (!use.rectified && isUncalibrated(numbers.K)) {
     const bool has_other = numbers.P && (*numbers.P)[0] > 0.0 && (*numbers.P)[5] > 0.0;
-    throw Error(std::string("camera_matrix (K): its focal lengths are 0, as a driver sends them "
-                            "that has no calibration; ") +
+    throw Error(std::string("camera_matrix (K): its focal lengths are 0, as sent by a driver "
+                            "without a calibration; ") +
                 (has_other ? "projection_matrix (P) is set: `rectified: true` takes it, for "
                              "pictures that are rectified"
                            : "the camera should be calibrated, or info_file name a calibration"));

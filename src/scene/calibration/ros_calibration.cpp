@@ -46,7 +46,7 @@ std::vector<ListedCamera> readRosCalibration(const std::string& text, const std:
   if (map != nullptr) collect(*map, "", 0, cameras);
   if (!cameras.empty()) return cameras;
   throw Error(file +
-              ": it is no calibration that is known; it should be a camera_info YAML file, a "
+              ": it is not a known kind of calibration; it should be a camera_info YAML file, a "
               "printed CameraInfo, camera_calibration's ost.txt, a Kalibr camchain or OpenCV's "
               "FileStorage, with a camera_matrix");
 }

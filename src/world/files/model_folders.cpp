@@ -68,7 +68,7 @@ std::vector<std::string> modelsAt(const std::string& path_or_uri) {
   if (models.empty()) {
     throw Error(
         "found '" + path_or_uri +
-        "', a folder that is no model (it has no model.config) and has none in it; it should "
+        "', a folder that is not a model (it has no model.config) and contains none; it should "
         "be a model, or hold folders with a model.config, .sdf or .urdf files");
   }
   return models;

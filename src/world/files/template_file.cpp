@@ -174,9 +174,8 @@ std::string expandXacro(const std::vector<std::string>& words) {
 std::string expandJinja(const std::vector<std::string>& words) {
   if (auto text = run("Jinja of", {"python3", "-c", kJinja}, words)) return *text;
   throw Error(
-      "is a template of Jinja's, and there is no Jinja to expand it: apt install python3-jinja2, "
-      "or name what was "
-      "made of it elsewhere");
+      "is a Jinja template, and there is no Jinja to expand it: apt install python3-jinja2, "
+      "or name a file expanded elsewhere");
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class Resolver {
   OgreObject resolve(const OgreObject& object) {
     size_ += 1 + object.properties.size();
     if (size_ > kLargest) {
-      throw Error(nameOf(object) + "is too much: the material has more than " +
+      throw Error(nameOf(object) + "is too large: the material has more than " +
                   std::to_string(kLargest) + " sections and properties with all that it inherits");
     }
     OgreObject own = object;

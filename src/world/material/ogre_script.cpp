@@ -80,8 +80,7 @@ class Lexer {
 
   void readQuoted() {
     const std::size_t end = text_.find_first_of("\"\n", at_ + 1);
-    if (end == std::string::npos || text_[end] == '\n')
-      fail(line_, "a quoted name without its end");
+    if (end == std::string::npos || text_[end] == '\n') fail(line_, "an unclosed quoted name");
     add(OgreTokenKind::kQuoted, text_.substr(at_ + 1, end - at_ - 1));
     at_ = end + 1;
   }
@@ -108,7 +107,7 @@ class Lexer {
 /// Splits an OGRE script into words, braces, colons and line ends; comments are dropped. As in
 /// OGRE, a colon or a comment counts as such only where a word could begin, so that `http://x` is
 /// one word.
-/// @throws Error "line 7: a quoted name without its end"
+/// @throws Error "line 7: an unclosed quoted name"
 std::vector<OgreToken> readOgreTokens(const std::string& text) { return Lexer(text).read(); }
 
 /// The deepest nesting of sections; real scripts have four levels.
@@ -140,7 +139,7 @@ class Parser {
 
   /// Reads up to the section's '}' or the end of the text.
   void readContent(OgreObject& into, int depth) {
-    if (depth > kDeepestBraces) fail(into.line, "its sections go deeper than any material's");
+    if (depth > kDeepestBraces) fail(into.line, "its sections are nested too deep");
     while (at_ < tokens_.size() && !is(Kind::kClose)) {
       if (is(Kind::kLineEnd)) {
         ++at_;

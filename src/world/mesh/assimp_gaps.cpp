@@ -35,7 +35,7 @@ void removeUnreliableData(const std::filesystem::path& file, MeshFile& content) 
   if (!assimpHasGaps()) return;
   const std::string extension = extensionOf(file);
   if (extension == ".stl" && removeColours(content)) {
-    content.notes.push_back("its colours are left out, as " + thisAssimp() + " has wrong ones");
+    content.notes.push_back("its colours are left out, as " + thisAssimp() + " reads them wrong");
   }
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
   if (is_gltf && base::readInput(file).find("KHR_texture_transform") != std::string::npos) {

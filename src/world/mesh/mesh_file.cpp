@@ -127,7 +127,7 @@ void copyColours(const aiMesh& from, bool linear, Mesh& to) {
   to.colours.reserve(from.mNumVertices);
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     Eigen::Vector4f colour(colours[i].r, colours[i].g, colours[i].b, colours[i].a);
-    if (!colour.allFinite()) throw Error("has a vertex colour that is no number");
+    if (!colour.allFinite()) throw Error("has a vertex colour that is not a number");
     colour = colour.cwiseMax(0.0F).cwiseMin(1.0F);
     if (linear) colour.head<3>() = colour.head<3>().unaryExpr(&encodedComponent).eval();
     to.colours.push_back(colour);
@@ -154,7 +154,7 @@ void copyVertices(const aiMesh& from, const Eigen::Affine3d& node,
     const Eigen::Affine3d& transform = posed.empty() ? node : posed[i];
     if (!posed.empty()) turn = transform.linear().inverse().transpose();
     const Eigen::Vector3f position = (transform * Eigen::Vector3d(p.x, p.y, p.z)).cast<float>();
-    if (!position.allFinite()) throw Error("has a vertex that is no number");
+    if (!position.allFinite()) throw Error("has a vertex that is not a number");
     to.positions.push_back(position);
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     if (from.HasNormals()) {

@@ -56,7 +56,7 @@ Reference readReference(const EmbeddedPictures& pictures, base::ByteReader& read
   reference.uri = reader.text();
   reference.folder = reader.text();
   const auto number = reader.number<std::uint64_t>();
-  if (number > pictures.size()) throw Error("its content came over incomplete");
+  if (number > pictures.size()) throw Error("its content arrived incomplete");
   if (number > 0) reference.embedded = pictures[number - 1];
   reference.alpha = reader.number<AlphaMeaning>();
   reference.content = reader.number<PictureContent>();

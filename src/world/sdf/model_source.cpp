@@ -60,7 +60,7 @@ Pose SdfFrames::poseOf(const std::string& name, SdfReading& reading) {
   if (frame.X_FN) return *frame.X_FN;
   if (frame.is_open) {
     reading.findings.addNote(frame.location,
-                             "its pose is relative to itself, by way of others; the circle is cut");
+                             "its pose is relative to itself, through others; the cycle is cut");
     return Pose::Identity();
   }
   frame.is_open = true;
@@ -79,8 +79,7 @@ Pose SdfFrames::resolve(const RelativePose& pose, const std::string& fallback,
   if (!pose.frame.empty()) {
     reading.findings.addNote(
         location, "its pose is relative to '" + pose.frame + "', which is not known here; " +
-                      (name.empty() ? "the frame of what it is in" : "'" + name + "'") +
-                      " is taken");
+                      (name.empty() ? "the enclosing frame" : "'" + name + "'") + " is taken");
   }
   return poseOf(name, reading) * pose.pose;
 }
@@ -90,7 +89,7 @@ RelativePose placed(ModelSource& source, SdfReading& reading) {
   if (source.placement_frame.empty()) return pose;
   if (!source.frames.knows(source.placement_frame)) {
     reading.findings.addNote(source.location, "its placement_frame '" + source.placement_frame +
-                                                  "' is not known; its own is taken");
+                                                  "' is unknown; its own frame is taken");
     return pose;
   }
   pose.pose = pose.pose * source.frames.poseOf(source.placement_frame, reading).inverse();

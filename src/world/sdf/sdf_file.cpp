@@ -35,7 +35,7 @@ void readRoot(SdfFile& file) {
   }
   file.odd = "line " + std::to_string(root->GetLineNum()) + ": <" + name + "> has " +
              (version == nullptr ? "no version"
-                                 : "the version '" + std::string(version) + "', which is none") +
+                                 : "the version '" + std::string(version) + "', which is invalid") +
              "; it is read as version 1.6";
 }
 
@@ -100,7 +100,7 @@ class TemplateSearch : public tinyxml2::XMLVisitor {
     if (whose == nullptr || !found.empty()) return;
     const bool is_xacros = std::string(whose) == "xacro's";
     found = "line " + std::to_string(line) + ": '" + trimmed(what) + "' is " + whose +
-            ", which expands it where the file's name ends in " + (is_xacros ? ".xacro" : ".jinja");
+            ", which expands it if the file's name ends in " + (is_xacros ? ".xacro" : ".jinja");
   }
 };
 
@@ -111,7 +111,7 @@ std::string erbFault(const std::string& text) {
   const auto line =
       1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
   return "line " + std::to_string(line) +
-         ": '<%' is ERB's: the file is a template; `erb FILE > world.sdf` makes a world of it";
+         ": '<%' is ERB's: the file is a template; `erb FILE > world.sdf` expands it";
 }
 
 std::unique_ptr<SdfFile> parsed(const fs::path& name, std::string text) {

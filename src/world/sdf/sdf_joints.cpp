@@ -69,7 +69,7 @@ class JointReader {
     if (source_.has_gaps) return;
     reading_.findings.addNote(locationOf(joint, source_.location),
                               "found '" + name +
-                                  "', which is no link of the model; "
+                                  "', which is not a link of the model; "
                                   "the joint is left out");
   }
 

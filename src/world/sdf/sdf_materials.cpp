@@ -96,7 +96,7 @@ class PbrReader {
         left_out += (left_out.empty() ? "" : ", ") + std::string(name);
     }
     if (left_out.empty()) return;
-    reading_.findings.addNote("of materials' maps these kinds are not drawn: " + left_out);
+    reading_.findings.addNote("these kinds of material maps are not drawn: " + left_out);
   }
 
   const Element& material_;

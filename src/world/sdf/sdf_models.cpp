@@ -225,8 +225,8 @@ class ModelReader {
     std::string unique = name;
     for (int i = 1; !names_.insert(unique).second; ++i) unique = name + "_" + std::to_string(i);
     if (unique != name) {
-      reading_.findings.addNote(
-          location, "a link before it has its name; it is called '" + unique + "' here");
+      reading_.findings.addNote(location,
+                                "an earlier link has its name; it is called '" + unique + "' here");
     }
     return unique;
   }

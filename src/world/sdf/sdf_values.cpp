@@ -141,8 +141,7 @@ std::optional<Eigen::Vector4f> readColour(const Element& parent, const char* nam
   const Eigen::Vector4d colour(v[0], v[1], v[2], v.size() > 3 ? v[3] : 1.0);
   const Eigen::Vector4d clamped = colour.cwiseMax(0.0).cwiseMin(1.0);
   if (clamped != colour) {
-    noteReplaced(parent, name, *text, "colours are 0 to 1", "it is brought there", location,
-                 reading);
+    noteReplaced(parent, name, *text, "colours are 0 to 1", "it is clamped", location, reading);
   }
   return clamped.cast<float>();
 }

@@ -156,7 +156,7 @@ class WorldReader {
     }
     if (unique != source.name) {
       reading_.findings.addNote(
-          source.location, "something before it has its name; it is called '" + unique + "' here");
+          source.location, "something earlier has its name; it is called '" + unique + "' here");
     }
     return unique;
   }

@@ -63,7 +63,8 @@ bool isFixed(const Element& joint, const SourceLocation& location, SdfReading& r
   }
   if (type == "fixed") return true;
   reading.findings.addNote(
-      location, "its type '" + type + "' is none of URDF's; it is held where the model has it");
+      location,
+      "its type '" + type + "' is not a URDF joint type; the link stays where the model places it");
   return false;
 }
 
@@ -167,7 +168,7 @@ class GazeboExtensions {
     std::optional<Material> material = gazeboMaterial(name, reading_.meshes.textures());
     if (!material) {
       reading_.findings.addNote(location, "Gazebo ships no material '" + name +
-                                              "', which <gazebo> names for it; shown as without" +
+                                              "', which <gazebo> names for it; shown without it" +
                                               nearGazeboMaterial(name));
     }
     return material;
@@ -224,7 +225,7 @@ class LinkReader {
         location_,
         "mesh '" + *meshes.begin() + "'" +
             (more > 0 ? " and " + std::to_string(more) + " more say" : " says") +
-            " in COLLADA that y points up; drawn as Gazebo and RViz do, which do not turn it");
+            " in COLLADA that y points up; drawn without turning it, as in Gazebo and RViz");
   }
 
   UrdfModel result;

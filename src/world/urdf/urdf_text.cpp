@@ -91,7 +91,7 @@ class Preparation {
     }
     if (found.empty()) return;
     findings_.addError(at(element) + "'" + found +
-                       "' is xacro's, which expands it where the file's name ends in "
+                       "' is xacro's, which expands it if the file's name ends in "
                        ".xacro; or run 'rosrun xacro xacro robot.urdf.xacro -o "
                        "robot.urdf'");
     sound_ = false;

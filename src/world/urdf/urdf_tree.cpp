@@ -23,7 +23,7 @@ class TreeReader {
 
   std::optional<UrdfTree> read(const Element& robot) {
     for (const Element& link : robot.children("link")) addLink(link);
-    if (tree_.links.empty()) error(robot, "has no <link>; a robot has one at least");
+    if (tree_.links.empty()) error(robot, "has no <link>; a robot has at least one");
     for (const Element& joint : robot.children("joint")) addJoint(joint);
     if (is_sound_) findRoot(robot);
     if (is_sound_) checkConnected(robot);
@@ -71,10 +71,10 @@ class TreeReader {
     if (tree_.links.count(link) != 0) return true;
     std::vector<std::string> names;
     for (const auto& [name, content] : tree_.links) names.push_back(name);
-    error(element,
-          joint + ": its " + role +
-              (link.empty() ? " is missing"
-                            : " '" + link + "' is no link of the robot" + didYouMean(link, names)));
+    error(element, joint + ": its " + role +
+                       (link.empty() ? " is missing"
+                                     : " '" + link + "' is not a link of the robot" +
+                                           didYouMean(link, names)));
     return false;
   }
 
@@ -86,11 +86,11 @@ class TreeReader {
     if (roots.size() == 1) {
       tree_.root = roots.front().substr(1, roots.front().size() - 2);
     } else if (roots.empty()) {
-      error(robot, "all links hang on one another in a loop; one has to be the root");
+      error(robot, "all links have parents, forming a loop; one has to be the root");
     } else {
       constexpr std::size_t kMost = 5;
       error(robot, "the links " + base::listed(roots, kMost) +
-                       " hang on nothing; a robot has one root, and joints hold all other links");
+                       " have no parent; a robot has one root, and joints hold all other links");
     }
   }
 
@@ -117,9 +117,8 @@ class TreeReader {
       if (reached.count(name) == 0) loop.push_back(quoted(name));
     }
     if (loop.empty()) return;
-    error(robot, "the links " + base::listed(loop) +
-                     " hang on one another in a loop, and not on the root link '" + tree_.root +
-                     "'");
+    error(robot, "the links " + base::listed(loop) + " form a loop apart from the root link '" +
+                     tree_.root + "'");
   }
 
   const SourceLocation& location_;

@@ -89,14 +89,14 @@ TEST_F(BagCheck, RefusesMessagesInTheSamePlace) {
   const std::string first = content.substr(indexEntry(content, 0) + 8, 4);
   std::string changed = content;
   changed.replace(indexEntry(content, 1) + 8, 4, first);
-  EXPECT_THAT(errorOf(changed), HasSubstr("messages lie within one another"));
+  EXPECT_THAT(errorOf(changed), HasSubstr("messages overlap"));
 }
 
 TEST_F(BagCheck, RefusesAnIndexOfAConnectionThatIsNotThere) {
   std::string content = bag();
   content.replace(indexEntry(content, 0), 8, 8, '\0');  // for this time, librosbag logs the topic
   EXPECT_THAT(errorOf(with(content, valueIn(content, '\x04', "conn"), 77)),
-              HasSubstr("a connection that is not there"));
+              HasSubstr("a connection that does not exist"));
 }
 
 TEST_F(BagCheck, RefusesAFieldThatLeavesItsHeader) {
@@ -121,13 +121,13 @@ TEST_F(BagCheck, RefusesAnIndexOfMoreEntriesThanTheFileHolds) {
 TEST_F(BagCheck, RefusesAChunkThatIsSaidToGrowBeyondMeasure) {
   const std::string content = bag(Compression::kBz2);
   EXPECT_THAT(errorOf(with(content, valueIn(content, '\x05', "size"), 0x3FFFFFFF)),
-              HasSubstr("more than can be made of its"));
+              HasSubstr("more than can come from its"));
 }
 
 TEST_F(BagCheck, RefusesAChunkThatHasLessInItThanItSays) {
   const std::string content = bag(Compression::kBz2);
   EXPECT_THAT(errorOf(with(content, valueIn(content, '\x05', "size"), 100000)),
-              HasSubstr("a chunk has less in it than it says"));
+              HasSubstr("a chunk holds less than it claims"));
 }
 
 TEST_F(BagCheck, RefusesAChunkThatCannotBeDecompressed) {

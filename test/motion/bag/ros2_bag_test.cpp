@@ -128,7 +128,7 @@ TEST_F(Ros2BagTest, SaysWhereAFileBreaksOff) {
   const std::string content = mcapOf(bag, {1});
   const std::string file = folder.write("a.mcap", content.substr(0, content.size() / 2)).string();
   EXPECT_THAT(openBag(file)->notes(), ElementsAre(AllOf(HasSubstr("bag " + file + ": breaks off"),
-                                                        HasSubstr("what is before that is read"))));
+                                                        HasSubstr("what comes before is read"))));
 }
 
 TEST_F(Ros2BagTest, NamesFilesThatCannotBeRead) {

@@ -105,11 +105,11 @@ TEST_F(RecordedMapTest, NamesTheTypeOfATopicThatIsNoMap) {
 TEST_F(RecordedMapTest, HasACellForEachOfItsPlaces) {
   BagBuilder::Map map = mapAt(1000);
   map.cells.pop_back();
-  EXPECT_THAT(errorOf(map), HasSubstr("the last map of '/map': found a map of 3 x 2 cells with the "
-                                      "values of 5; it should have one for each cell"));
+  EXPECT_THAT(errorOf(map), HasSubstr("the last map of '/map': found a map of 3 x 2 cells with 5 "
+                                      "values; it should have one for each cell"));
   // The product of its sides is 0 in 32 bits.
   map.width = map.height = 65536;
-  EXPECT_THAT(errorOf(map), HasSubstr("found a map of 65536 x 65536 cells with the values of 5"));
+  EXPECT_THAT(errorOf(map), HasSubstr("found a map of 65536 x 65536 cells with 5 values"));
 }
 
 TEST_F(RecordedMapTest, HasCells) {
@@ -130,7 +130,7 @@ TEST_F(RecordedMapTest, HasCellsOfASize) {
 TEST_F(RecordedMapTest, HasAPlace) {
   BagBuilder::Map map = mapAt(1000);
   map.X_FM = poseAt(std::numeric_limits<double>::infinity(), 0.0, 0.0);
-  EXPECT_THAT(errorOf(map), HasSubstr("found an origin that is no pose"));
+  EXPECT_THAT(errorOf(map), HasSubstr("found an origin that is not a pose"));
 }
 
 TEST_F(RecordedMapTest, IsNotTurnedWithoutAnOrientation) {

@@ -32,7 +32,7 @@ TEST(Decompression, NamesFramesThatAreCutDamagedOrGoOn) {
   for (std::size_t size = 0; size < frame.size(); ++size) {
     EXPECT_NE(errorOf(frame.substr(0, size)), "") << size;
   }
-  EXPECT_THAT(errorOf(frame + "more"), HasSubstr("has bytes behind its compressed content"));
+  EXPECT_THAT(errorOf(frame + "more"), HasSubstr("has bytes after its compressed content"));
   EXPECT_THAT(errorOf("no frame at all"), HasSubstr("cannot be decompressed by zstd"));
   EXPECT_THAT(messageOf([&] { (void)lz4Decompressed("no frame at all"); }),
               HasSubstr("cannot be decompressed by lz4"));

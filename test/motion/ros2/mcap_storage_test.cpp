@@ -93,7 +93,7 @@ TEST_F(McapStorage, AnIndexCannotShowAMessageTwiceNorAnythingElse) {
   EXPECT_THAT(errorOf(twice), HasSubstr("does not fit its chunk"));
   std::string astray = content;
   ++astray[entry];
-  EXPECT_THAT(errorOf(astray), HasSubstr("leads to what is no message"));
+  EXPECT_THAT(errorOf(astray), HasSubstr("points to something other than a message"));
   std::string beyond = content;
   beyond[entry + 5] = '\x7F';
   EXPECT_THAT(errorOf(beyond), HasSubstr("does not fit its chunk"));
@@ -121,7 +121,7 @@ TEST_F(McapStorage, AMessageNeedsItsChannel) {
   const std::string magic = content.substr(0, 8);
   const std::size_t message = content.find('\x05', content.find("cdr"));
   EXPECT_THAT(errorOf(magic + content.substr(message, content.find('\x0F', message) - message)),
-              HasSubstr("of a channel that is not there"));
+              HasSubstr("to a channel that does not exist"));
 }
 
 }  // namespace mcap_storage_test

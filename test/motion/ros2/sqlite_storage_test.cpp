@@ -88,22 +88,22 @@ TEST_F(SqliteStorage, ADatabaseThatHasALogNoMoreIsReadWithoutFilesBesideIt) {
 TEST_F(SqliteStorage, NamesAJournalThatWasNotTakenBack) {
   writeSqlite(file(), bag);
   folder.write("a.db3-journal", "something");
-  EXPECT_THAT(errorOf(), HasSubstr("a change of it was not finished"));
+  EXPECT_THAT(errorOf(), HasSubstr("an unfinished change to it is in "));
 }
 
 TEST_F(SqliteStorage, RefusesOtherDatabases) {
   execute("CREATE TABLE topics (id INTEGER PRIMARY KEY)");
   EXPECT_THAT(errorOf(), HasSubstr("without rosbag2's table 'messages'"));
   execute("CREATE VIEW messages AS SELECT 1 AS id, 2 AS topic_id, 3 AS timestamp, 4 AS data");
-  EXPECT_THAT(errorOf(), HasSubstr("'messages', which is no plain table"));
+  EXPECT_THAT(errorOf(), HasSubstr("'messages', which is not a plain table"));
 }
 
 TEST_F(SqliteStorage, RefusesMessagesOfNoTopicAndTimesThatAreNone) {
   writeSqlite(file(), bag);
   execute("UPDATE messages SET topic_id = 7 WHERE id = 2");
-  EXPECT_THAT(errorOf(), HasSubstr("of a topic that is not there"));
+  EXPECT_THAT(errorOf(), HasSubstr("to a topic that does not exist"));
   execute("UPDATE messages SET topic_id = 1, timestamp = -5 WHERE id = 2");
-  EXPECT_THAT(errorOf(), HasSubstr("which is no time of ROS"));
+  EXPECT_THAT(errorOf(), HasSubstr("which is not a ROS time"));
 }
 
 TEST_F(SqliteStorage, NamesAFileThatBreaksOff) {

@@ -140,7 +140,7 @@ TEST_F(VerifyFiles, RemarksThatLabelsAreNotCheckedWithoutTheirWriter) {
 TEST_F(VerifyFiles, StopsWhereARunIsWriting) {
   const output::RunLock lock((folder_ / "manifest.sqlite").string());
   fs::remove(path(label_));
-  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a run is writing it just now")));
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a run is writing it right now")));
 }
 
 TEST_F(VerifyFiles, LeavesTheDatasetAsItIs) {
@@ -166,7 +166,7 @@ TEST_F(VerifyUnfinished, SaysHowToGoOn) {
   writeUnfinished({sceneOfBoth(0), sceneOfBoth(1)});
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("its state is 'running': 2 scenes are there, of 3 "
                                                 "that the run has; the same command that began "
-                                                "it goes on with it")));
+                                                "it continues it")));
   EXPECT_EQ(counts_.labels, 4);
 }
 

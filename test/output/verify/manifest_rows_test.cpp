@@ -95,7 +95,7 @@ const Change kScenes[] = {
     {"AnUnknownCamera", "UPDATE scene SET camera = 'rear'",
      "scene: cameras that the table camera does not have: scene 0, scene 1, scene 2 and 1 more"},
     {"ACameraWhoseTurnItIsNot", "INSERT INTO camera VALUES (1, 'rear', 'rear_link', 640, 480)",
-     "scene: cameras whose turn it is not: scene 1, scene 3"},
+     "scene: cameras out of turn: scene 1, scene 3"},
     {"AQuaternion", "UPDATE scene SET qw = 0.9 WHERE \"index\" = 3",
      "scene: poses that are no turn and shift (the quaternion's length is not 1): scene 3"},
 };
@@ -123,7 +123,7 @@ const Change kReferences[] = {
     {"AFilesScene", "UPDATE file SET scene = 44 WHERE path LIKE '%label_2/000002.txt'",
      "file: scenes that the table scene does not have: w/training/label_2/000002.txt"},
     {"ALinkToNothing", "UPDATE file SET linked_to = 'w/x' WHERE path LIKE '%label_2/000002.txt'",
-     "file: linked to what is no listed file of the same size and digest: "},
+     "file: links to anything but a listed file of the same size and digest: "},
     {"ARecordsWriter", "UPDATE record SET writer = 1 WHERE scene = 0",
      "record: writers that the table writer does not have: writer 1 scene 0"},
     {"ARecordsScene", "UPDATE record SET scene = 9 WHERE scene = 0",
@@ -155,8 +155,8 @@ const Change kNumbers[] = {
     {"MotionsWithoutScenes", "INSERT INTO motion VALUES (1, 'run', 4, 0)",
      "motion: no instants: motion 1"},
     {"MotionsSum", "UPDATE motion SET instant_count = 5",
-     "motion: instants in all that are not those of the run: 4"},
-    {"NoMotion", "DELETE FROM motion", "motion: instants in all that are not those of the run: 4"},
+     "motion: a total of instants that is not the run's: 4"},
+    {"NoMotion", "DELETE FROM motion", "motion: a total of instants that is not the run's: 4"},
     {"RecordsSequences", "UPDATE record SET sequence = sequence + 2 WHERE scene = 2",
      "record: sequences that do not count from 0: writer 0 scene 2"},
     {"ContactsSequences", "INSERT INTO contact VALUES (1, 1, 'a', 'b', 0.1)",
@@ -185,7 +185,7 @@ const Change kMeasures[] = {
     {"Visibility", "UPDATE scene_object SET visibility = 0.5 WHERE scene = 1 AND object = 0",
      "scene_object: a visibility that is not visible_pixels / silhouette_pixels: scene 1 object 0"},
     {"InView", "UPDATE scene_object SET in_view = 0 WHERE scene = 1 AND object = 0",
-     "scene_object: an in_view that is not whether the loose box shares area with the image: "
+     "scene_object: an in_view that contradicts whether the loose box overlaps the image: "
      "scene 1 object 0"},
     {"VisibleBoxes", "UPDATE scene_object SET visible_left = -2 WHERE scene = 1 AND object = 0",
      "scene_object: visible boxes that leave the image: scene 1 object 0"},

@@ -28,7 +28,7 @@ TEST_F(VerifyShard, FindsNothingWrong) {
   EXPECT_THAT(
       remarks_,
       ElementsAre(
-          HasSubstr("the labels of 'w' are checked as the manifest keeps them, and not counted"),
+          HasSubstr("the labels of 'w' are checked as stored in the manifest, and not counted"),
           HasSubstr("1 of 2 shards are here")));
 }
 
@@ -58,7 +58,7 @@ TEST_F(VerifyShard, TellsOfAShardOfAnotherRun) {
       "UPDATE run SET value = '1/2' WHERE key = 'shard'; INSERT INTO setting VALUES ('rate', "
       "'2', 0)",
       "manifest.shard-1-of-2.sqlite");
-  EXPECT_THAT(problems(), testing::Contains(HasSubstr("it is no shard of the run of '")));
+  EXPECT_THAT(problems(), testing::Contains(HasSubstr("it is not a shard of the run of '")));
 }
 
 }  // namespace shards_test

@@ -97,7 +97,7 @@ TEST_F(WriterHostTest, NamesAWriterThatEndsTheProgram) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const WriterHost host = makeHost({choice("bad", {{"fault", "exit"}})});
   EXPECT_EXIT((void)host.writeScene(emptyScene()), testing::ExitedWithCode(1),
-              "writer 'bad': its plugin has ended the program by a call of exit");
+              "writer 'bad': its plugin has ended the program by calling exit");
 }
 
 TEST_F(WriterHostTest, MergesRequirements) {

@@ -55,7 +55,7 @@ TEST_F(WriterLoaderTest, SuggestsTheTypeThatAMisspeltOneMeans) {
   EXPECT_THAT(failureOf({test::pluginXml()}, "synthetic_dataset/Yollo"),
               AllOf(HasSubstr("no writer type 'synthetic_dataset/Yollo'"),
                     HasSubstr("did you mean 'synthetic_dataset/Yolo'?"),
-                    ContainsRegex("types that there are: .*synthetic_dataset/BoundingShape, .*"
+                    ContainsRegex("available types: .*synthetic_dataset/BoundingShape, .*"
                                   "synthetic_dataset/StvNet, .*synthetic_dataset/Yolo\\)")));
 }
 

@@ -192,7 +192,7 @@ TEST_F(Bop, SavesDepthInMultiplesOfTheScale) {
   given.at<float>(12, 20) = 32.7682F;  // 65536.4: too far
   given.at<float>(13, 20) = -2.0F;     // beside a fisheye's axis
   const auto result = host_->writeScene(deep);
-  EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("farther than `depth_scale`")));
+  EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("farther than a depth image can hold")));
   runAll({deep});
   const cv::Mat depth =
       cv::imread(folder() + "train/000000/depth/000000.png", cv::IMREAD_UNCHANGED);

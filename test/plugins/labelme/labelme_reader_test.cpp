@@ -40,7 +40,7 @@ TEST_F(LabelMeReader, NamesAFileThatIsNotAsItShouldBe) {
                 (void)read(R"({"label": "jug", "description": "b", "shape_type": "rectangle",
                                "points": [[10, 20]]})");
               }),
-              ElementsAre(HasSubstr("0.json': found a rectangle that has not two corners")));
+              ElementsAre(HasSubstr("0.json': found a rectangle that does not have two corners")));
 }
 
 }  // namespace labelme_reader_test

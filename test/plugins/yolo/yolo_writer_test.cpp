@@ -184,7 +184,7 @@ TEST_F(Yolo, WarnsOfTextsOfWhichDarknetReadsNone) {
   const output::WriterHost& host = load(parameters());
   const Scene text = scene(0, {boxed("a", {0.0, 0.0, 640.0, 480.0})});
   EXPECT_EQ(readByDarknet(filesOf(text).at("00000000.txt")), 0);
-  EXPECT_THAT(host.writeScene(text).warnings, ElementsAre(HasSubstr("wants `class: number`")));
+  EXPECT_THAT(host.writeScene(text).warnings, ElementsAre(HasSubstr("needs `class: number`")));
   EXPECT_THAT(host.writeScene(scene(1, {})).warnings, IsEmpty());
   Scene digits = text;
   digits.objects[0].class_text = "7";

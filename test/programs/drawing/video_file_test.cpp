@@ -52,7 +52,7 @@ TEST(VideoFile, NeedsAPicture) {
   const test::TemporaryFolder folder;
   VideoFile film((folder / "film.mp4").string(), 10.0);
   EXPECT_THAT(test::messagesOf([&] { film.finish(); }),
-              ElementsAre(HasSubstr("there is no picture")));
+              ElementsAre(HasSubstr("there are no pictures")));
 }
 
 TEST(VideoFile, SaysThatItCannotBeWritten) {

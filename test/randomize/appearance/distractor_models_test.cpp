@@ -52,8 +52,9 @@ TEST(DistractorModels, ThatCannotBeSeenAreTold) {
   randomize::DistractorOptions config;
   config.models = {"model://ghost"};
   const auto load = [](const std::string&, const std::string&) { return world::Model{}; };
-  EXPECT_THAT(test::messagesOf([&] { (void)makeDistractors(config, 1, load); }),
-              testing::ElementsAre(HasSubstr("found 'model://ghost', a model of which nothing")));
+  EXPECT_THAT(
+      test::messagesOf([&] { (void)makeDistractors(config, 1, load); }),
+      testing::ElementsAre(HasSubstr("found 'model://ghost', a model without visible parts")));
 }
 
 }  // namespace distractor_models_test

@@ -357,7 +357,7 @@ TEST_F(LookSamplerTest, DrawsTheRestOfLightsWhetherTheyAreOnOrNot) {
 TEST_F(LookSamplerTest, RefusesMoreLightsThanTheWorldHas) {
   EXPECT_THAT(errorsOf("light_count: {uniform: [1, 4]}"),
               ElementsAre("randomize/light_count: found up to 4.0; the world has 3 lights, and it "
-                          "should be no more (where a normal distribution ends, its `max` says)"));
+                          "should be no more (a normal distribution ends at its `max`)"));
   EXPECT_THAT(errorsOf("light_count: {normal: [2, 1]}"),
               ElementsAre(testing::HasSubstr("found up to 1000.0")));
   EXPECT_THAT(errorsOf("light_count: {normal: [2, 1], max: 3}"), IsEmpty());
@@ -606,7 +606,7 @@ TEST_F(LookSamplerTest, NamesWhatALightCannotDo) {
 
 TEST_F(LookSamplerTest, NamesAModelLinkOrVisualThatTheWorldDoesNotHave) {
   const std::string problem =
-      ": the world has nothing of this name that can be seen; it should be objects, "
+      ": the world has nothing visible of this name; it should be objects, "
       "distractors, world, a model, model::link or model::link::visual";
   EXPECT_THAT(errorsOf("materials: {rovr_1: {colour: 0.5}}"),
               ElementsAre("randomize/materials/rovr_1" + problem + "; did you mean 'rover_1'?"));

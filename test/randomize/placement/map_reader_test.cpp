@@ -149,8 +149,8 @@ TEST_F(MapReader, TakesTheUpperByteOfSixteenBits) {
 TEST_F(MapReader, NamesAPictureThatIsNotThere) {
   const std::string file = yaml("none.pgm");
   EXPECT_EQ(errorOf(file), file + ": image: picture '" + (folder / "none.pgm").string() +
-                               "' is no file; a relative path starts at the folder of the YAML "
-                               "file");
+                               "' is not a file; a relative path starts at the folder of the "
+                               "YAML file");
   std::filesystem::create_directory(folder / "none.pgm");
   EXPECT_THAT(errorOf(file), HasSubstr("is a folder; a file is needed"));
 }

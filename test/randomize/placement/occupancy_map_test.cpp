@@ -98,7 +98,7 @@ TEST(OccupancyMap, HasCellsOfASizeAndAPlace) {
   EXPECT_THAT(test::messagesOf([&] {
                 OccupancyMap(1, 1, 0.5, {0.0, infinite, 0.0, 0.0}, {kFree});
               }),
-              testing::ElementsAre(HasSubstr("found a pose of the map that is none")));
+              testing::ElementsAre(HasSubstr("found a map pose that is not finite")));
 }
 
 }  // namespace occupancy_map_test

@@ -264,8 +264,8 @@ TEST(Lights, ThatShouldCastShadowsAndDoNotAreNoted) {
   }
   lights[0].type = world::LightType::kPoint;
   EXPECT_THAT(lightNotes(lights, LightDetail::kSimple),
-              ::testing::ElementsAre("light 'lamp0' casts no shadow: point lights do so with "
-                                     "rendering/light: full alone"));
+              ::testing::ElementsAre("light 'lamp0' casts no shadow: point lights do so only "
+                                     "with rendering/light: full"));
   EXPECT_TRUE(lightNotes(lights, LightDetail::kFull).empty());
 }
 

@@ -132,7 +132,7 @@ TEST_F(RunCheckTest, ACameraThatLooksAwayIsNamed) {
 
 TEST_F(RunCheckTest, AnObjectBesideThePictureIsNamed) {
   look(vector(-3.0, -3.0, 0.5), vector(-3.0, 5.0, 0.5));
-  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in none of 4 scenes: beside the "
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in none of 4 scenes: outside the "
                                         "picture in 4")));
 }
 
@@ -175,7 +175,7 @@ TEST_F(RunCheckTest, AnObjectThatIsHardlySeenIsNamed) {
   record([](double t) { return poseAt(0.0, t < 0.03 ? 0.0 : 3.5, 0.0); });
   parameters["simulated_rate"] = Value(20.0);
   look(vector(-3.0, 0.2, 0.5), vector(0.0, 0.2, 0.2));
-  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in 1 of 9 scenes: beside the "
+  EXPECT_THAT(odd(), Contains(HasSubstr("not seen | alpha: seen in 1 of 9 scenes: outside the "
                                         "picture in 8")));
 }
 
@@ -280,7 +280,8 @@ TEST_F(RunCheckTest, ACameraInsideOfSomethingIsNamed) {
 
 TEST_F(RunCheckTest, ACameraRightBeforeAWallIsNamed) {
   addCrate("-2.85 0.2 0.5 0 0 0", "0.1 6 4");
-  EXPECT_THAT(odd(), Contains(HasSubstr("has 'crate' less than 0.15 m before most of its lens")));
+  EXPECT_THAT(odd(),
+              Contains(HasSubstr("has 'crate' less than 0.15 m in front of most of its lens")));
 }
 
 TEST_F(RunCheckTest, ACameraBelowTheGroundIsNamed) {
@@ -334,18 +335,16 @@ TEST_F(RunCheckTest, AWayThroughAWallIsNamed) {
   addCrate("0 0 1 0 0 0", "4 0.1 2");
   record([](double t) { return poseAt(0.0, -0.5 + t, 0.0); });
   parameters["simulated_rate"] = Value(20.0);
-  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("in walls | alpha: is inside of things of the world "
-                                              "at "),
-                                    HasSubstr("of 20 times, first of 'crate'"))));
+  EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("in walls | alpha: is inside parts of the world at "),
+                                    HasSubstr("of 20 times, first in 'crate'"))));
   record([](double t) { return poseAt(0.0, -1.5 + t, 0.0); });
   EXPECT_THAT(odd(), Not(Contains(HasSubstr("in walls")))) << "it is before the wall";
 }
 
 TEST_F(RunCheckTest, WhatSinksOrFloatsIsNamed) {
   record([](double t) { return poseAt(0.0, -0.5 + t, -0.12); });
-  EXPECT_THAT(
-      odd(),
-      Contains(HasSubstr("sinks | alpha: stands 0.12 m deep in 'floor' nearly all the time")));
+  EXPECT_THAT(odd(),
+              Contains(HasSubstr("sinks | alpha: sinks 0.12 m into 'floor' nearly all the time")));
   record([](double t) { return poseAt(0.0, -0.5 + t, 0.13); });
   EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("floats | alpha: floats 0.13 m above 'floor'"),
                                     HasSubstr("base_footprint"))));
@@ -369,7 +368,7 @@ TEST_F(RunCheckTest, ScenesCloserTogetherThanTheRecordingAreNamed) {
   record([](double t) { return poseAt(0.0, -0.5 + t, 0.0); });
   parameters["simulated_rate"] = Value(200.0);
   EXPECT_THAT(odd(), Contains(AllOf(HasSubstr("too dense | simulated_rate: makes 200 Hz of a "
-                                              "recording whose frames move with 20 Hz at most"),
+                                              "recording whose frames move at 20 Hz at most"),
                                     HasSubstr("`simulated_rate: 20` or less"))));
 }
 
@@ -455,7 +454,7 @@ TEST_F(RunCheckTest, WhatIsCheapIsWarnedOfInEveryRun) {
   (void)generate(reporter);
   EXPECT_THAT(reporter.messages, Contains(HasSubstr("alpha: its frame 'alpha/base_link' is "
                                                     "recorded, and does not move")));
-  EXPECT_THAT(reporter.messages, Contains(HasSubstr("labels are of fewer than 25 visible pixels")));
+  EXPECT_THAT(reporter.messages, Contains(HasSubstr("labels have fewer than 25 visible pixels")));
 }
 
 TEST_F(RunCheckTest, AFolderThatCannotBeMadeIsAnError) {
@@ -473,7 +472,8 @@ TEST(CheckFigures, NameADiskAndAMemoryThatAreTooSmall) {
   const std::vector<Finding> findings = checkFigures(figures);
   ASSERT_THAT(findings, SizeIs(2));
   EXPECT_THAT(findings[0].message(), HasSubstr("about 9.0 GB, and 2.0 GB are free"));
-  EXPECT_THAT(findings[1].message(), HasSubstr("about 64.0 GB of memory, and 16.0 GB are there"));
+  EXPECT_THAT(findings[1].message(),
+              HasSubstr("about 64.0 GB of memory, and 16.0 GB are available"));
   figures.free_disk = std::nullopt;
   figures.memory = 0;
   EXPECT_THAT(checkFigures(figures), IsEmpty());

@@ -39,7 +39,7 @@ TEST(Sizes, AreRightOfWhatFitsTheModel) {
 
 TEST(Sizes, WarnOfMillimetres) {
   EXPECT_THAT(warningsOf(rover(1000.0), kRover),
-              ElementsAre("rover/bounding_shape: its points reach over 1232.883 m, the model over "
+              ElementsAre("rover/bounding_shape: its points span 1232.883 m, the model "
                           "1.233 m (are they in metres?)",
                           StartsWith("rover/keypoints: one is ")));
 }
@@ -48,7 +48,7 @@ TEST(Sizes, WarnOfASinglePoint) {
   scene::ObjectOptions object = rover(1.0);
   object.bounding_shape_O = {Eigen::Vector3d::Zero()};
   EXPECT_THAT(warningsOf(object, kRover), ElementsAre(StartsWith("rover/bounding_shape: its points "
-                                                                 "reach over 0.000 m")));
+                                                                 "span 0.000 m")));
 }
 
 TEST(Sizes, WarnOfAnotherFrame) {

@@ -256,8 +256,9 @@ TEST_F(CalibrationFile, IsFoundBelowAGroupAndLacksNothingButItsSize) {
 }
 
 TEST_F(CalibrationFile, OfAnotherKindNamesTheKindsThatAreRead) {
-  EXPECT_THAT(errorsOf("gains: {p: {x: 1.0}}\n"),
-              ElementsAre(AllOf(HasSubstr("no calibration that is known"), HasSubstr("Kalibr"))));
+  EXPECT_THAT(
+      errorsOf("gains: {p: {x: 1.0}}\n"),
+      ElementsAre(AllOf(HasSubstr("not a known kind of calibration"), HasSubstr("Kalibr"))));
 }
 
 }  // namespace calibration_file_test

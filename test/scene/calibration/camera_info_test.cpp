@@ -201,7 +201,7 @@ TEST_F(CameraInfo, OfAnUnknownModelWithoutCoefficientsIsAPinholeAndSaysSo) {
 TEST_F(CameraInfo, OfAnUnturnableRectificationIsRefused) {
   const std::string bad = "rectification_matrix: {data: [2, 0, 0, 0, 1, 0, 0, 0, 1]}\n";
   EXPECT_THAT(test::messagesOf([&] { read(kCalibration + bad, true); }),
-              testing::ElementsAre(HasSubstr("rectification_matrix: it is no rotation")));
+              testing::ElementsAre(HasSubstr("rectification_matrix: it should be a rotation")));
 }
 
 TEST_F(CameraInfo, NamesTheFileOfAnImpossibleCamera) {

@@ -60,7 +60,7 @@ TEST_F(ModelFolders, ThatAreModelsStandForThemselvesAsDoFilesAndUris) {
 TEST_F(ModelFolders, WithoutModelsAreTold) {
   folder.write("empty/readme.txt", "");
   EXPECT_THAT(test::messagesOf([&] { (void)modelsAt(folder / "empty"); }),
-              testing::ElementsAre(AllOf(HasSubstr("/empty', a folder that is no model"),
+              testing::ElementsAre(AllOf(HasSubstr("/empty', a folder that is not a model"),
                                          HasSubstr("hold folders with a model.config"))));
 }
 

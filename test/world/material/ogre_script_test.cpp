@@ -79,7 +79,7 @@ TEST(OgreScript, TellsTheLineOfAFault) {
   EXPECT_THAT(errorOf("\nmaterial A\n{\n technique\n {\n }\n"),
               AllOf(HasSubstr("line 2"), HasSubstr("'material A' has no '}'")));
   EXPECT_THAT(errorOf("{\n"), HasSubstr("line 1: found '{'"));
-  EXPECT_THAT(errorOf("a\nb \"c\n"), HasSubstr("line 2: a quoted name"));
+  EXPECT_THAT(errorOf("a\nb \"c\n"), HasSubstr("line 2: an unclosed quoted name"));
   EXPECT_THAT(errorOf("/* a\n"), HasSubstr("line 1: a comment"));
   EXPECT_THAT(errorOf("import A\n"), HasSubstr("line 1: an import should read"));
 }
@@ -87,7 +87,7 @@ TEST(OgreScript, TellsTheLineOfAFault) {
 TEST(OgreScript, RefusesSectionsWithoutEnd) {
   std::string text;
   for (int i = 0; i < 100000; ++i) text += "a {";
-  EXPECT_THAT(errorOf(text), HasSubstr("deeper"));
+  EXPECT_THAT(errorOf(text), HasSubstr("nested too deep"));
 }
 
 TEST(OgreInheritance, ChangesUnnamedSectionsInTheirPlace) {

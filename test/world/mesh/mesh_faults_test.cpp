@@ -82,7 +82,7 @@ TEST_F(MeshFaultTest, RefusesAnIndexThatIsOutOfRange) {
 
 TEST_F(MeshFaultTest, RefusesAnInfiniteVertex) {
   EXPECT_THAT(errorOf(write("a.obj", "v inf 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
-              HasSubstr("a.obj': has a vertex that is no number"));
+              HasSubstr("a.obj': has a vertex that is not a number"));
 }
 
 TEST_F(MeshFaultTest, RefusesAnAbsurdScale) {

@@ -16,7 +16,7 @@ TEST(MeshFileBytes, RefuseCountsBeyondTheirEnd) {
     writer.number<std::uint64_t>(std::uint64_t{1} << 60U);
     const std::string bytes = writer.take();
     EXPECT_THAT(test::messagesOf([&] { static_cast<void>(meshFileOf(bytes)); }),
-                testing::ElementsAre(testing::HasSubstr("came over incomplete")));
+                testing::ElementsAre(testing::HasSubstr("arrived incomplete")));
   }
 }
 

@@ -270,7 +270,7 @@ TEST_F(MeshLoaderTest, RefusesAFileWithoutTriangles) {
 
 TEST_F(MeshLoaderTest, RefusesAVertexThatIsNoNumber) {
   EXPECT_THAT(errorOf(request("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
-              HasSubstr("a.obj': has a vertex that is no number"));
+              HasSubstr("a.obj': has a vertex that is not a number"));
 }
 
 TEST_F(MeshLoaderTest, RefusesGarbage) {

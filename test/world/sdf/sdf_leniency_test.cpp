@@ -53,8 +53,8 @@ TEST(LenientSdf, HasAJointWithoutItsLink) {
       worldFile(modelElement("m", linkElement() + "<joint name='j' type='fixed'><parent>body"
                                                   "</parent><child>gone</child></joint>")));
   EXPECT_THAT(linkNames(world.models.at(0)), ElementsAre("body"));
-  EXPECT_THAT(world.notes, ElementsAre(HasSubstr("joint 'j': found 'gone', which is no link of the "
-                                                 "model; the joint is left out")));
+  EXPECT_THAT(world.notes, ElementsAre(HasSubstr("joint 'j': found 'gone', which is not a link of "
+                                                 "the model; the joint is left out")));
 }
 
 TEST(LenientSdf, HasAPoseRelativeToAnUnknownFrame) {
@@ -77,7 +77,7 @@ TEST(LenientSdf, HasPosesThatRunInACircle) {
                              "<link name='a'><pose relative_to='b'>1 0 0 0 0 0</pose></link>"
                              "<link name='b'><pose relative_to='a'>0 1 0 0 0 0</pose>"
                              "</link>")));
-  EXPECT_THAT(world.notes, Contains(HasSubstr("relative to itself, by way of others")));
+  EXPECT_THAT(world.notes, Contains(HasSubstr("relative to itself, through others")));
 }
 
 TEST(LenientSdf, HasColoursBeyondOne) {

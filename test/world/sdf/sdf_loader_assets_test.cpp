@@ -277,7 +277,7 @@ TEST(SdfVersion, IsTakenFor1_6WhereItIsNoNumber) {
   for (const std::string version : {"abc", "", "-1", "1.", "1.x", "1 6"}) {
     EXPECT_THAT(notesOf(folder, "<sdf version='" + version + "'><world name='w'/></sdf>"),
                 ElementsAre(HasSubstr("world.sdf: line 1: <sdf> has the version '" + version +
-                                      "', which is none; it is read as version 1.6")));
+                                      "', which is invalid; it is read as version 1.6")));
   }
 }
 

@@ -441,16 +441,16 @@ INSTANTIATE_TEST_SUITE_P(
     UrdfLoader, BadUrdfs,
     testing::Values(
         BadUrdf{"", "line 1: has no <link>"},
-        BadUrdf{kTwo, "the links 'a', 'b' hang on nothing; a robot has one root"},
+        BadUrdf{kTwo, "the links 'a', 'b' have no parent; a robot has one root"},
         BadUrdf{"<link name='a'/><link name='a'/>", "link 'a' is there twice"},
         BadUrdf{"<link name='b'/>" + joint("fixed", ""),
-                "joint 'j': its parent 'a' is no link of the robot"},
+                "joint 'j': its parent 'a' is not a link of the robot"},
         BadUrdf{kTwo + joint("fixed", "") +
                     "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>",
-                "all links hang on one another in a loop"},
+                "all links have parents, forming a loop"},
         BadUrdf{"<link name='root'/>" + kTwo + joint("fixed", "") +
                     "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>",
-                "the links 'a', 'b' hang on one another in a loop"},
+                "the links 'a', 'b' form a loop"},
         BadUrdf{"<link name='c'/>" + kTwo + joint("fixed", "") +
                     "<joint name='k' type='fixed'><parent link='a'/><child link='c'/></joint>"
                     "<joint name='l' type='fixed'><parent link='c'/><child link='b'/></joint>",

@@ -58,7 +58,8 @@ SettingsDocument::SettingsDocument(std::string file)
 void SettingsDocument::change(std::int64_t revision, const std::vector<base::YamlChange>& changes,
                               const std::string& step) {
   requireCurrent(revision);
-  if (fault_) throw HttpError(409, "the text is no YAML: " + fault_->message + "; mend it first");
+  if (fault_)
+    throw HttpError(409, "the text is not valid YAML: " + fault_->message + "; correct it first");
   std::string text = text_;
   for (base::YamlChange each : changes) {
     each.path = pathAsWritten(each.path, base::readYamlText(text, fileNameOf(file_)));

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 AllowedFolders::AllowedFolders(const fs::path& file, const std::vector<std::string>& more) {
   roots_.push_back(fs::canonical(fs::absolute(file).parent_path()));
   for (const std::string& folder : more) {
-    if (!fs::is_directory(folder)) throw Error("--folder: '" + folder + "' is no folder");
+    if (!fs::is_directory(folder)) throw Error("--folder: '" + folder + "' is not a folder");
     add(folder);
   }
   if (const auto own = run::rosPackageFinder()("synthetic_dataset")) add(*own);
@@ -47,8 +47,8 @@ fs::path AllowedFolders::resolve(const fs::path& path) const {
   const fs::path resolved = fs::canonical(path.is_absolute() ? path : home() / path, error);
   if (!error && holds(resolved)) return resolved;
   throw HttpError(403, "'" + path.string() +
-                           "': found no such file in the folders that this page may look into; "
-                           "start the setup assistant with `--folder DIR` for another one");
+                           "': found no such file in the folders that this page may read; "
+                           "start setup_assistant with `--folder DIR` to add one");
 }
 
 bool AllowedFolders::holds(const fs::path& resolved) const {

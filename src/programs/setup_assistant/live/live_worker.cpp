@@ -10,7 +10,7 @@
 namespace synthetic_dataset::programs {
 namespace {
 
-constexpr const char* kOver = "the assistant is being ended";
+constexpr const char* kOver = "setup_assistant is stopping";
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::shared_future<Value> LiveWorker::put(const std::string& kind, Job job, Earl
     } else if (earlier == Earlier::kAnswersBoth) {
       result = same->result;
     } else {
-      refuse(*same, "a later request of its kind has taken its turn");
+      refuse(*same, "a later request of its kind has replaced it");
       *same = std::move(asked);
     }
   }

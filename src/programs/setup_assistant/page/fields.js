@@ -127,7 +127,7 @@ function resetButton(path, options) {
         type: 'button',
         class: 'reset quiet',
         disabled: !isHere,
-        title: 'Remove it from the file, so that the default counts',
+        title: 'Remove it from the file, so that the default applies',
         'aria-label': `Reset ${options.label ?? path.at(-1)}`,
         onclick: () => set(path, undefined),
       },

@@ -37,7 +37,7 @@ export function greeting() {
           h('button',
             {type: 'button', class: 'primary', disabled: chosen.isBusy || !chosen.bags.length, onclick: start},
             chosen.isBusy ? 'Reading the files\u2026' : 'Fill in the settings'),
-          chosen.bags.length ? null : h('span', {class: 'muted'}, 'A recording is needed for it.'),
+          chosen.bags.length ? null : h('span', {class: 'muted'}, 'This needs a recording.'),
           h('button', {
             type: 'button',
             class: 'quiet by-hand',

@@ -5,18 +5,16 @@
 const HELP = {
   'motion': ['Objects go where a recording has them, or somewhere else at random in each scene.', 'placement'],
   'bag_file': ['A bag of ROS 1 or ROS 2 with TF. Several count as one recording.', 'recordings#bags-of-ros-2'],
-  'simulated_rate': ['How many scenes are made of a second of the recording.', 'recordings#times'],
-  'start_offset': ['So much of the recording\u2019s start makes no scenes.', 'recordings#times'],
-  'duration': ['So much after that makes scenes; all of it without a number.', 'recordings#times'],
+  'simulated_rate': ['How many scenes are made per second of the recording.', 'recordings#times'],
+  'start_offset': ['This much of the recording\u2019s start is left out.', 'recordings#times'],
+  'duration': ['This much after that is used; empty: all of it.', 'recordings#times'],
   'global_frame':
       ['The TF frame in which the world stands: its origin is the world\u2019s.', 'recordings#where-an-object-is'],
-  'when_unknown': [
-    'What becomes of scenes while an object\u2019s frame is not known: none, or scenes without it.', 'recordings#times'
-  ],
-  'max_tf_gap': ['Scenes within a longer hole in TF are left out, and counted.', 'recordings#times'],
+  'when_unknown': ['While an object\u2019s frame is not known: no scenes, or scenes without it.', 'recordings#times'],
+  'max_tf_gap': ['Scenes within a longer gap in TF are left out, and counted.', 'recordings#times'],
   'stretch':
       ['Where time jumps back, the recording is cut; scenes come from this part, counted from 0.', 'recordings#times'],
-  'tf_topics': ['Topics with TF; /tf and /tf_static without a list.', 'recordings#topics'],
+  'tf_topics': ['Topics with TF; by default /tf and /tf_static.', 'recordings#topics'],
   'pose_topics': ['Topics with odometry, poses or joint states, for frames that TF lacks.', 'recordings#topics'],
   'scenes': ['How many scenes each camera makes.', 'placement#settings'],
   'placement/mode':
@@ -41,7 +39,7 @@ const HELP = {
       ['Whose rules the colours and lights were made for.', 'worlds#which-simulator-a-world-was-written-for'],
   'physics/step': ['Of the simulation in which loose things fall and are pushed.', 'worlds'],
   'physics/contact_tolerance': ['Things that overlap by more are reported.', 'worlds'],
-  'physics/settle': ['Loose things may come to rest for so long before the first scene.', 'worlds'],
+  'physics/settle': ['How long loose things may take to come to rest before the first scene.', 'worlds'],
   'rendering/light': [
     'Simple light as Gazebo\u2019s; full adds soft shadows, and reflections of the sky.', 'models#simple-and-full-light'
   ],
@@ -62,13 +60,13 @@ const HELP = {
   ],
   'camera/sample/look_at':
       ['any: one of the objects in each scene; all: their middle; or one object\u2019s name.', 'cameras#at-random'],
-  'camera/sample/clearance': ['The camera keeps so far from everything.', 'cameras#at-random'],
+  'camera/sample/clearance': ['The camera keeps this far from everything.', 'cameras#at-random'],
   'camera/sample/tries': ['Positions tried until one sees what it looks at.', 'cameras#at-random'],
   'camera/effects/exposure': ['In steps that double the light.', 'cameras#sensor-effects'],
   'camera/effects/blur': ['Of the lens, as a standard deviation.', 'cameras#sensor-effects'],
   'camera/effects/vignetting': ['The share of light that corners lose.', 'cameras#sensor-effects'],
   'camera/effects/white_balance': ['The light that it is set for; 6500 K is neutral.', 'cameras#sensor-effects'],
-  'camera/effects/jpeg_quality': ['With which the camera compresses; empty: it does not.', 'cameras#sensor-effects'],
+  'camera/effects/jpeg_quality': ['Of the camera\u2019s compression; empty: none.', 'cameras#sensor-effects'],
   'camera/effects/noise_stddev': ['Gaussian, as a share of white.', 'cameras#sensor-effects'],
   'camera/effects/noise_mean': ['What the noise adds on average.', 'cameras#sensor-effects'],
   'camera/effects/full_well':
@@ -107,21 +105,21 @@ const HELP = {
   'alpha/parts':
       ['Groups of links with labels of their own: {gripper: [hand, "finger_*"]}.', 'labels#parts-of-objects'],
   'alpha/model_arguments': ['What the xacro file is given: {prefix: left_}.', 'models#xacro'],
-  'classes': ['Their order gives their numbers, from 0; alphabetical without a list.', 'labels'],
+  'classes': ['Their order gives their numbers, from 0; by default alphabetical.', 'labels'],
   'world_classes': ['Classes of the surroundings, for semantic and panoptic labels.', 'labels#classes-of-the-world'],
   'labels/min_visibility': ['Objects of which less is seen get no label.', 'labels#which-objects-get-labels'],
   'labels/min_pixels': ['Objects with fewer get no label.', 'labels#which-objects-get-labels'],
-  'labels/keypoint_tolerance': ['Points that are only so far below a surface count as seen.', 'labels#keypoints'],
-  'labels/glass': ['Whose glass is labelled, and not what is seen through it.', 'labels#glass'],
+  'labels/keypoint_tolerance': ['Points up to this far below a surface count as seen.', 'labels#keypoints'],
+  'labels/glass': ['Whose glass is labelled, instead of what is seen through it.', 'labels#glass'],
   'randomize/preset':
       ['What helped networks most with photographs: light, paint, backgrounds, clutter, wear.', 'transfer'],
   'seed': [
     'Another number draws everything anew; the same one makes the same dataset.', 'randomize#what-the-draws-depend-on'
   ],
   'output_folder': ['Each format gets a folder in it.', 'settings'],
-  'if_exists': ['A dataset that is there is continued, replaced, or left alone.', 'reliability#what-is-promised'],
+  'if_exists': ['An existing dataset is continued, replaced, or left alone.', 'reliability#what-is-promised'],
   'split/by': ['Neighbours in time look alike, so blocks test more honestly.', 'labels#splits'],
-  'split/gap': ['So much time between train, val and test makes no scenes.', 'labels#splits'],
+  'split/gap': ['This much time between train, val and test is left out.', 'labels#splits'],
   'image/png_compression': ['0 is fastest; above 1, a tenth smaller in four times the time.', 'formats'],
   'image/jpeg_quality': ['Of formats that write JPEG.', 'formats'],
   'masks/method': ['Exact ones, or background subtraction as in the paper.', 'labels#background-subtraction'],

@@ -54,7 +54,7 @@ function verdictClass({error, warning}) {
 }
 
 function verdict({error, warning}) {
-  if (store.state?.error) return 'no YAML';
+  if (store.state?.error) return 'invalid YAML';
   if (isEmpty()) return 'nothing chosen yet';
   if (isStale()) return 'reading\u2026';
   if (error) return count(error, 'error');
@@ -67,10 +67,9 @@ function drawBanners() {
     connection === 'lost' ?
         h('div', {key: 'lost', class: 'banner'}, 'No answer from setup_assistant. Start it again; this page waits.') :
         null,
-    connection === 'refused' ?
-        h('div', {key: 'refused', class: 'banner error'},
-          'setup_assistant was started anew, with a new token. Open the address that it has printed.') :
-        null,
+    connection === 'refused' ? h('div', {key: 'refused', class: 'banner error'},
+                                 'setup_assistant was restarted with a new token. Open the address that it printed.') :
+                               null,
     state?.outside ?
         h('div', {key: 'outside', class: 'banner', role: 'alertdialog', 'aria-label': 'The file was changed'},
           h('span', {}, `Another program has changed ${fileName(state.file)}.`),

@@ -11,7 +11,7 @@ export const problemsPane = {
   title: 'Problems',
   text: 'What is wrong or odd about these settings. Each entry leads to its field.',
   paths: () => [],
-  summary: () => (store.state?.error ? 'no YAML' : ''),
+  summary: () => (store.state?.error ? 'invalid YAML' : ''),
   draw,
 };
 
@@ -25,7 +25,7 @@ function draw() {
               h('li', {class: 'error'},
                 h('div', {class: 'entry'},
                   h('button', {type: 'button', class: 'link', onclick: () => goToLine(error.line ?? 1)},
-                    `The text is no YAML: line ${error.line}`),
+                    `The text is not valid YAML: line ${error.line}`),
                   ` ${error.message}`))) :
             null,
     h('div', {}, SEVERITIES.map((severity) => list(severity, problems.filter((each) => each.severity === severity)))),

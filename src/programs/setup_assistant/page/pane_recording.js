@@ -19,7 +19,7 @@ const WHEN_UNKNOWN = [['skip_scene', 'No scenes'], ['absent', 'Scenes without it
 export const recordingPane = {
   id: 'recording',
   title: 'Recording',
-  text: 'Where objects are: a bag with the TF tree says it or, without one, they are placed at random.',
+  text: 'Where objects are: as in a bag with the TF tree or, without one, placed at random.',
   paths: () => [...PATHS.map((each) => [each]), ...PLACEMENT_PATHS],
   summary: () => (isPlaced() ? placementSummary() : [].concat(effective(['bag_file']) ?? []).map(fileName).join(', ')),
   draw,
@@ -86,6 +86,6 @@ function severalMotions() {
   return section(
       'Several motions',
       h('p', {class: 'hint'},
-        'This file makes one dataset of several motions. The panes show what they share; what a motion has of its own is changed in the text of the file.'),
+        'This file makes one dataset of several motions. The panes show what they share; a motion\u2019s own settings are changed in the text of the file.'),
       h('ul', {class: 'chips'}, motions.map((each) => h('li', {}, String(each?.name ?? '?')))));
 }

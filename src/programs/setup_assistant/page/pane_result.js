@@ -21,7 +21,7 @@ const result = {
 export const resultPane = {
   id: 'result',
   title: 'Result',
-  text: 'The scenes of the dataset, as its files have them.',
+  text: 'The scenes of the dataset, read from its files.',
   paths: () => [],
   summary: () => '',
   draw,
@@ -190,7 +190,7 @@ function report(time) {
     h('button', {type: 'button', disabled: result.isReporting, onclick: makeReport},
       result.isReporting ? 'Making the report\u2026' :
           time === null  ? 'Make the report' :
-                           'Make it anew'),
+                           'Make it again'),
   ];
 }
 

@@ -6,7 +6,7 @@ import {changed, effective, startRun, stopRun, store, watch} from './store.js';
 export const runPane = {
   id: 'run',
   title: 'Run',
-  text: 'Makes the dataset, as generate --config FILE does. A run that was stopped goes on where it was.',
+  text: 'Makes the dataset, as generate --config FILE does. A stopped run continues where it was.',
   paths: () => [],
   summary: () =>
       ({running: `${percent()} %`,
@@ -86,7 +86,7 @@ function controls() {
         other || h('span', {class: 'muted'}, planned(setup)))];
   }
   if (state.error || error > 0) {
-    const why = state.error ? 'The file is no YAML' : `${count(error, 'error')} to mend first`;
+    const why = state.error ? 'The file is not valid YAML' : `${count(error, 'error')} to correct first`;
     return [row('blocked', button('Start', startRun, {disabled: true}), h('a', {href: '#problems'}, why))];
   }
   const {earlier} = setup;
@@ -98,7 +98,7 @@ function controls() {
   if (earlier?.complete) {
     return [row(
         'made', h('a', {href: '#result', class: 'button primary'}, 'Open the result'),
-        h('button', {type: 'button', onclick: () => ask(folder())}, 'Make it anew\u2026'),
+        h('button', {type: 'button', onclick: () => ask(folder())}, 'Make it again\u2026'),
         h('span', {class: 'muted'}, `Made: ${grouped(earlier.scenes)} scenes in `, h('code', {}, folder())))];
   }
   const action = earlier ? 'Go on' : run.state === 'failed' ? 'Try again' : 'Start';
@@ -160,7 +160,7 @@ function progress(run) {
   const {done, all} = counts();
   const made = `${grouped(done)} of ${count(all, 'scene')}`;
   if (run.state === 'idle') return all ? `Not started: ${made}.` : 'Not started.';
-  if (run.stopping) return 'Stops behind the scene that it makes\u2026';
+  if (run.stopping) return 'Stops after the current scene\u2026';
   const parts = [made];
   if (run.state === 'running') {
     if (run.rate) parts.push(`${fixed(run.rate, 1)} a second`);

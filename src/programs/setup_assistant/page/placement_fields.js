@@ -58,7 +58,7 @@ function onMap() {
   const surface = effective(['placement', 'surface']) ?? 'below';
   return [
     fileField(['placement', 'map'], 'yaml,map,any', {label: 'Map of map_server'}),
-    textField(['placement', 'map_topic'], {label: 'or a topic', hint: 'Of type nav_msgs/OccupancyGrid, of the bags.'}),
+    textField(['placement', 'map_topic'], {label: 'or a topic', hint: 'Of type nav_msgs/OccupancyGrid, in the bags.'}),
     choiceField(
         ['placement', 'surface'], [['below', 'On what is below'], ['none', 'At a height']], {label: 'They stand'}),
     surface === 'none' ? numberField(['placement', 'height'], {label: 'Height', range: [0, 5], step: 0.1}) : standing(),

@@ -36,7 +36,7 @@ async function load() {
     });
     const url = view.layer === 'picture' ? value.picture : value[view.layer] ?? value.picture;
     const response = await fetch(url);
-    if (!response.ok) throw new Error(`The picture cannot be had (${response.status}).`);
+    if (!response.ok) throw new Error(`The picture cannot be loaded (${response.status}).`);
     scene.bitmap?.close();
     scene.bitmap = await createImageBitmap(await response.blob());
     Object.assign(scene, {value, error: null, count: scene.count + 1});

@@ -82,9 +82,9 @@ function altText(value) {
 
 function whyNoPicture() {
   if (isEmpty()) return 'The picture of the dataset appears here.';
-  if (store.state?.error) return 'The settings file is no YAML at the moment; this is the picture from before.';
+  if (store.state?.error) return 'The settings file is not valid YAML at the moment; this is the earlier picture.';
   const {error} = countOf(allProblems());
-  if (error) return `${count(error, 'error')} in the settings: no picture can be made until they are mended.`;
+  if (error) return `${count(error, 'error')} in the settings: no picture can be made until they are corrected.`;
   return scene.error;
 }
 

@@ -33,7 +33,8 @@ RunControl::~RunControl() {
 void RunControl::start(const std::vector<std::string>& command) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (wanted_ || child_ != kNone) throw HttpError(409, "a run goes on already; stop it first");
+    if (wanted_ || child_ != kNone)
+      throw HttpError(409, "a run is already going on; stop it first");
     wanted_ = command;
     log_ = {};
     exit_code_.reset();

@@ -150,8 +150,8 @@ void DocumentService::rememberVariables() {
 std::optional<std::string> DocumentService::variable(const std::string& name) const {
   if (variables_.count(name) != 0) return config::environmentVariable(name);
   throw Error("found the environment variable " + name +
-              ", which the settings did not name when the page was started; start "
-              "setup_assistant anew, and they may");
+              ", which the settings did not name when the page was started; restart "
+              "setup_assistant to allow it");
 }
 
 /// If the text that is shown is not on the disk, the settings that were read last stay.

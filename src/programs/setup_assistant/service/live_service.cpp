@@ -39,7 +39,7 @@ Pose poseParameter(const HttpRequest& request) {
   };
   const Eigen::Quaterniond turn(number("qw", 1.0), number("qx", 0.0), number("qy", 0.0),
                                 number("qz", 0.0));
-  if (!(turn.norm() > 0.5)) throw HttpError(400, "qx, qy, qz, qw: found no turn");
+  if (!(turn.norm() > 0.5)) throw HttpError(400, "qx, qy, qz, qw: found no rotation");
   Pose pose = Pose::Identity();
   pose.linear() = turn.normalized().toRotationMatrix();
   pose.translation() << number("x", 0.0), number("y", 0.0), number("z", 0.0);
@@ -194,7 +194,7 @@ Value LiveService::pick(const HttpRequest& request) {
 
 HttpResponse LiveService::picture(const std::string& name) const {
   const auto bytes = pictures_.find(name);
-  if (bytes == nullptr) throw HttpError(404, "this picture is not kept any more; ask for it anew");
+  if (bytes == nullptr) throw HttpError(404, "this picture is no longer kept; request it again");
   HttpResponse response;
   response.type = name.find(".png") != std::string::npos ? "image/png" : "image/jpeg";
   response.body = *bytes;

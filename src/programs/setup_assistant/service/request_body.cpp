@@ -26,7 +26,7 @@ Value bodyOf(const HttpRequest& request) {
 
 const Value& requiredOf(const Value& body, const std::string& name) {
   const Value* value = bodyEntry(body, name);
-  if (value == nullptr) throw HttpError(400, name + ": found nothing; it has to be there");
+  if (value == nullptr) throw HttpError(400, name + ": found nothing; it is required");
   return *value;
 }
 

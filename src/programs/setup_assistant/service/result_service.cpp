@@ -172,10 +172,9 @@ Value ResultService::verify() {
 Value ResultService::makeReport() {
   const std::string of = folder();
   if (!isBelow(std::filesystem::weakly_canonical(of), allowed_.home())) {
-    throw HttpError(403, "output_folder: found '" + of + "', and this page writes below '" +
-                             allowed_.home().string() +
-                             "' alone; `rosrun synthetic_dataset report " + of +
-                             "` makes the report by hand");
+    throw HttpError(403, "output_folder: found '" + of + "', but this page writes only below '" +
+                             allowed_.home().string() + "'; `rosrun synthetic_dataset report " +
+                             of + "` makes the report by hand");
   }
   const std::lock_guard<std::mutex> lock(reporting_);
   ChildProgram program({programBesideThis("report"), of});

@@ -74,7 +74,7 @@ RunService::RunService(DocumentService& document, const AllowedFolders& allowed,
 Value RunService::start(const Value& body) {
   const Value::Map own = settings();
   requireOwnFolders(own);
-  if (isHeldNow(outputFolderOf(own))) throw HttpError(409, "a run writes this dataset already");
+  if (isHeldNow(outputFolderOf(own))) throw HttpError(409, "a run is already writing this dataset");
   std::vector<std::string> command = {programBesideThis("generate"), "--config", document_.file(),
                                       "--json"};
   const Value scenes = entryOf(body, "scenes");
@@ -146,9 +146,9 @@ void RunService::requireOwnFolders(const Value::Map& settings) const {
     std::error_code error;
     const fs::path resolved = fs::weakly_canonical(config::absolutePath(target), error);
     if (!error && isBelow(resolved, allowed_.home())) continue;
-    throw HttpError(403, name + ": found '" + target + "', and this page writes below '" +
+    throw HttpError(403, name + ": found '" + target + "', but this page writes only below '" +
                              allowed_.home().string() +
-                             "' alone; `\"$(dirname)/dataset\"` would be right, or a run by hand: "
+                             "'; `\"$(dirname)/dataset\"` would be right, or a run by hand: "
                              "`rosrun synthetic_dataset generate --config " +
                              document_.file() + "`");
   }

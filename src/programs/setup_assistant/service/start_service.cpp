@@ -25,7 +25,7 @@ std::vector<std::string> filesIn(const Value& body, const std::string& name,
 
 std::string startText(const Value& body, const AllowedFolders& allowed) {
   const std::vector<std::string> bags = filesIn(body, "bags", allowed);
-  if (bags.empty()) throw HttpError(400, "bags: it should be a list of one at least");
+  if (bags.empty()) throw HttpError(400, "bags: it should be a list of at least one");
   const std::string named = textOf(body, "world");
   std::optional<std::string> world;
   if (!named.empty()) world = allowed.resolve(named).string();
