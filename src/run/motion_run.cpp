@@ -327,8 +327,10 @@ void MotionRun::passOn(ScenePipeline& pipeline) {
     const CameraModel& camera = each.seen.scene.camera;
     const std::int64_t pixel_count = std::int64_t{camera.width()} * camera.height();
     // Begins while the previous scene's labels are being determined, as neither keeps all cores
-    // busy.
-    if (each.image) each.image = renderer_.makers().begun(std::move(each.image));
+    // busy. Background subtraction does: its pictures would only wait longer (10 % of a scene).
+    if (each.image && motion_.config.masks.method != label::MaskMethod::kMog2) {
+      each.image = renderer_.makers().begun(std::move(each.image));
+    }
     pipeline.add(
         [this, drawn = std::make_shared<DrawnScene>(std::move(each))] { return finish(*drawn); },
         pixel_count);
