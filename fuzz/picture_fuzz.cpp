@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace synthetic_dataset;
   const std::vector<std::uint8_t> bytes(data, data + size);
   static_cast<void>(base::claimedSize(bytes));
-  const std::vector<std::uint8_t> essential = base::withoutColourProfile(bytes);
+  const std::vector<std::uint8_t> essential = base::essentialPngChunks(bytes);
   if (essential.empty() || !base::isWhole(essential)) return 0;
   if (std::hash<std::string_view>()(fuzzing::view(data, size)) % 8 != 0) return 0;
   fuzzing::tolerating([&] { static_cast<void>(base::decodePicture(bytes, "picture")); });
