@@ -5,13 +5,13 @@ uniform sampler2D picture;
 uniform float gain;  // multiplies its light
 
 #ifdef THROUGH_LENS
-// What is drawn is a part of what a lens sees, before it is bent: the picture is straight in the
-// image, so it is bent the other way here. The formulas are those of CameraModel.
-uniform vec4 intrinsics;       // fx, fy, cx, cy of what is drawn [px]
-uniform mat4 lens_from_face;   // the frame of what is drawn in the lens's
+// A part of a lens's view is drawn, before distortion: the picture should be straight in the image,
+// so the inverse distortion is applied here. The formulas are those of CameraModel.
+uniform vec4 intrinsics;       // fx, fy, cx, cy of the drawn part [px]
+uniform mat4 lens_from_face;   // from the drawn part's frame to the lens's
 uniform vec4 lens_intrinsics;  // fx, fy, cx, cy of the image [px]
 uniform vec4 image_size;       // width, height [px]
-uniform vec4 coefficients[4];  // as Distortion has them
+uniform vec4 coefficients[4];  // in the order of Distortion
 uniform int lens;              // its DistortionModel
 
 const int kEquidistant = 3;

@@ -1,5 +1,5 @@
 #version 450 core
-// What each pixel's centre sees, to be lit afterwards: so each pixel is lit once, however
+// The surface at each pixel's centre, to be lit afterwards: so each pixel is lit once, however
 // many small triangles share it. Planes that the bound buffer lacks are left out.
 #include "surface.glsl"
 #include "material.glsl"
@@ -7,7 +7,7 @@
 
 uniform uint item;
 
-// The item and the bits of its depth: a plane costs a fragment more than what is in it.
+// The item and the bits of its depth share a plane: the number of planes costs more than their content.
 layout(location = 0) out uvec2 item_depth;
 layout(location = 1) out vec4 base_roughness;
 layout(location = 2) out vec4 normal_metalness;

@@ -1,5 +1,5 @@
 #version 450 core
-// What one can see through, lit as it is drawn.
+// Transparent surfaces, lit while they are drawn.
 #include "surface.glsl"
 #include "material.glsl"
 #include "near.glsl"

@@ -1,6 +1,6 @@
 #version 450 core
-// What each pixel's centre sees: an identifier, the depth along the optical axis [m], the link and
-// the surface's normal. What the bound target has no place for is left out by the compiler.
+// The surface at each pixel's centre: an identifier, the depth along the optical axis [m], the link and
+// the surface's normal. The compiler leaves out what the bound target has no plane for.
 
 uniform uint identifier;
 uniform uint link;
@@ -17,8 +17,8 @@ layout(location = 1) out float depth;
 layout(location = 2) out uint seen_link;
 layout(location = 3) out vec4 normal;
 
-// Towards the camera. The vertices' normals may point into the body, or, by the silhouette of a
-// round one, a little away from the camera: the triangle says which side is seen.
+// Turned towards the camera. Vertex normals may point into the body or, near the silhouette of a
+// round one, slightly away from the camera: the triangle tells which side is seen.
 vec3 seenNormal() {
   vec3 to_camera = -normalize(position_C);
   vec3 flat_normal = cross(dFdx(position_C), dFdy(position_C));

@@ -1,12 +1,12 @@
-// How light makes surfaces seen that one can see through; classic_shading.h (with CLASSIC) and
-// surface_shading.h light all others in the same way. The latter: Lambert diffuse, GGX specular
-// (Walter et al. 2007, with Schlick's Fresnel and the height-correlated visibility of Heitz 2014 in
-// Hammon's approximation), hemispheric ambient light, all of it linear. It happens in the camera's
-// optical frame.
+// Lighting of transparent surfaces; classic_shading.h (with CLASSIC) and surface_shading.h light all
+// others in the same way. The latter: Lambert diffuse, GGX specular (Walter et al. 2007, with
+// Schlick's Fresnel and the height-correlated visibility of Heitz 2014 in Hammon's approximation),
+// hemispheric ambient light, all of it linear, in the camera's optical frame.
 
 // LIGHT(i, TYPE, FIRST_MAP) for each light is EACH_LIGHT, set when this is compiled: llvmpipe
-// runs every branch of a shader for every pixel, and a loop once more than it says, so what a light
-// has not costs nothing only if it is not there. The types are those of world::LightType.
+// runs every branch of a shader for every pixel, and each loop once more than necessary, so a
+// feature that a light lacks is free only if its code is left out. The types are those of
+// world::LightType.
 // SHADOW_RAISE and GRAZING_SHADOW_RAISE [texel] are set with it, and SHADOW_MAPS, after which the
 // sides of point lights come, and SHADOW_COUNT of both.
 #define DIRECTIONAL 0
@@ -18,7 +18,7 @@ const float kPi = 3.14159265;
 
 struct Light {
   vec3 position_C;
-  vec3 direction_C;  // where it shines
+  vec3 direction_C;  // in which it shines
   vec3 intensity;
   vec3 specular;     // of highlights in Gazebo Classic
   vec3 attenuation;  // constant, linear, quadratic
@@ -43,8 +43,8 @@ uniform vec3 fog_extent;  // start [m], end [m], density [1/m]
 #endif
 
 #ifdef SHADOWS
-// How much of the light passes: the mean over a square of 3 x 3 texels around the place, whose rim
-// counts by its share, found from 4 x 4 texels.
+// The share of the light that passes: the mean over a square of 3 x 3 texels around the point, found
+// from 4 x 4 texels, of which those at the rim count by their overlap.
 float passing(sampler2DArrayShadow maps, vec2 place, int layer, float depth) {
   vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 texel = place * size - 0.5;
@@ -65,7 +65,7 @@ float passing(sampler2DArrayShadow maps, vec2 place, int layer, float depth) {
   return (rim.y * low + low_middle + high_middle + share.y * high) / 9.0;
 }
 
-// The side of a point light's cube before which a point is farthest.
+// The face of a point light's cube in whose direction a point lies.
 int sideAt(int first, vec3 position_C) {
   int side = first;
   float farthest = 0.0;
@@ -80,7 +80,7 @@ int sideAt(int first, vec3 position_C) {
 float shadow(Light light, int type, int first_map, vec3 position_C, vec3 normal, float n_dot_l) {
   int map = max(first_map, 0);
   if (type == POINT) map = sideAt(map, position_C);
-  // A surface is compared a little above itself, by about a texel, more at grazing light.
+  // Compares the surface raised by about a texel, more at grazing light.
   float texel = shadow_texel[map];
   if (type != DIRECTIONAL) texel *= distance(position_C, light.position_C);
   float slope = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
@@ -89,11 +89,11 @@ float shadow(Light light, int type, int first_map, vec3 position_C, vec3 normal,
   bool outside = p.w <= 0.0;
   p.xyz /= p.w;
   vec2 place = p.xy * 0.5 + 0.5;
-  // Nothing is in the shadow of what lies outside of the map. (A border colour says the same, but
-  // costs llvmpipe a third more time.)
+  // Points outside the map are not in shadow. (A border colour has the same effect, but costs
+  // llvmpipe a third more time.)
   outside = outside || any(greaterThan(abs(place - 0.5), vec2(0.5)));
   if (type == POINT) {
-    // With simple light, points have none.
+    // With simple light, point lights have no shadows.
     outside = outside || shadow_texel[map] == 0.0;
     return outside ? 1.0 : passing(shadow_sides, place, map - SHADOW_MAPS, min(p.z, 1.0));
   }
@@ -101,7 +101,7 @@ float shadow(Light light, int type, int first_map, vec3 position_C, vec3 normal,
 }
 #endif
 
-// How much of the light's intensity arrives at the point, and from where.
+// The share of the light's intensity that arrives at the point, and its direction.
 float arriving(Light light, int type, vec3 position_C, out vec3 to_light) {
   if (type == DIRECTIONAL) {
     to_light = -light.direction_C;
@@ -121,7 +121,7 @@ float arriving(Light light, int type, vec3 position_C, out vec3 to_light) {
 }
 
 #ifdef FOG
-// The share of the fog in what is seen at a distance [m] from the camera. (OGRE takes the depth
+// The share of fog in the colour seen at a distance [m] from the camera. (OGRE takes the depth
 // along the axis instead, so that its fog changes where a camera turns.)
 float fogginess(float far) {
   float clear = 1.0;
@@ -136,14 +136,14 @@ float fogginess(float far) {
 #endif
 
 #ifdef CLASSIC
-// As OGRE 1 lights each pixel in Gazebo Classic (ClassicShading): all numbers are sRGB-encoded.
+// Lights each pixel as OGRE 1 does in Gazebo Classic (ClassicShading): all numbers are sRGB-encoded.
 uniform vec3 around;           // ambient and emissive
 uniform vec3 diffuse_colour;
 uniform vec3 specular_colour;
 uniform float shininess;       // 0: there is no highlight
 uniform float brightest;
 
-// Adds what of one light a surface sends.
+// Adds the light of one source that a surface reflects.
 void add(Light light, int type, int first_map, Surface surface, vec3 to_eye, inout vec3 matte,
          inout vec3 shine) {
   vec3 to_light;
@@ -151,7 +151,7 @@ void add(Light light, int type, int first_map, Surface surface, vec3 to_eye, ino
   float n_dot_l = dot(surface.normal, to_light);
 #ifdef SHADOWS
   if (first_map >= 0) {
-    // Of the side on which the light falls.
+    // For the lit side of the surface.
     float face_dot_l = dot(surface.face, to_light);
     vec3 side = face_dot_l < 0.0 ? -surface.face : surface.face;
     share *= shadow(light, type, first_map, surface.position_C, side, abs(face_dot_l));
@@ -163,7 +163,7 @@ void add(Light light, int type, int first_map, Surface surface, vec3 to_eye, ino
   if (shininess > 0.0) shine += light.specular * (pow(max(n_dot_h, 1e-6), shininess) * share);
 }
 
-// What the camera sees of a surface, before it is exposed.
+// The colour of a surface for the camera, before exposure.
 vec3 seen(Surface surface, bool is_lit) {
   vec3 matte = around;
   vec3 shine = vec3(0.0);
@@ -195,13 +195,13 @@ vec3 specular(vec3 f0, float alpha, float n_dot_l, float n_dot_v, float n_dot_h,
   return distribution * visibility * fresnel(f0, v_dot_h);
 }
 
-// Linear up to 0.8, then bending towards 1 so that bright surfaces keep their drawing.
+// Linear up to 0.8, then bending towards 1 so that bright surfaces keep their contrast.
 vec3 shoulder(vec3 linear) {
   vec3 soft = 0.8 + 0.2 * (1.0 - exp(-(linear - 0.8) / 0.2));
   return mix(linear, soft, greaterThan(linear, vec3(0.8)));
 }
 
-// What of one light a surface sends to the eye.
+// The light of one source that a surface reflects to the camera.
 vec3 sent(Light light, int type, int first_map, Surface surface, vec3 f0, vec3 matte, float alpha,
           vec3 to_eye, float n_dot_v) {
   vec3 to_light;
@@ -223,7 +223,7 @@ vec3 sent(Light light, int type, int first_map, Surface surface, vec3 f0, vec3 m
   return dark ? vec3(0.0) : coming * n_dot_l * (matte + shine);
 }
 
-// The light that a surface sends to the eye.
+// The light that a surface sends to the camera.
 vec3 lit(Surface surface) {
   vec3 to_eye = normalize(-surface.position_C);
   vec3 f0 = mix(vec3(surface.reflectance), surface.base, surface.metalness);
@@ -243,7 +243,7 @@ vec3 lit(Surface surface) {
   return sum;
 }
 
-// What the camera sees of a surface, as bright as a picture can be.
+// The colour of a surface in the picture, limited to what a picture can show.
 vec3 seen(Surface surface, bool is_lit) {
   vec3 light = is_lit ? shoulder(exposure * lit(surface)) : exposure * surface.base;
 #ifdef FOG

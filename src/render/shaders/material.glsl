@@ -1,4 +1,4 @@
-// What a surface is made of where a fragment of a mesh lies.
+// The material of a surface at a fragment.
 
 uniform vec4 diffuse;
 uniform float roughness;
@@ -17,10 +17,10 @@ in vec2 coordinates;
 in vec4 tint;
 #endif
 
-// The normal as the map bends it. The map's x axis is where the texture's u grows and its y axis
-// where v falls (v counts from the first row down): both from the derivatives of position and
-// coordinates, so that meshes need no tangents (Schueler 2013, "Normal Mapping Without Precomputed
-// Tangents").
+// The normal as perturbed by the normal map. The map's x axis is where the texture's u grows and
+// its y axis where v decreases (v counts from the first row down): both from the derivatives of
+// position and coordinates, so that meshes need no tangents (Schueler 2013, "Normal Mapping Without
+// Precomputed Tangents").
 vec3 bent(vec3 normal) {
   vec3 along_x = dFdx(position_C);
   vec3 along_y = dFdy(position_C);
@@ -28,7 +28,7 @@ vec3 bent(vec3 normal) {
   vec2 texture_y = dFdy(coordinates);
   vec3 across_y = cross(along_y, normal);
   vec3 across_x = cross(normal, along_x);
-  // Negative where the picture's axes turn left about the normal, which would turn both tangents.
+  // Negative if the picture's axes are left-handed about the normal, which would flip both tangents.
   float turn = sign(dot(along_x, across_y));
   vec3 u_axis = turn * (across_y * texture_x.x + across_x * texture_y.x);
   vec3 v_axis = turn * (across_y * texture_x.y + across_x * texture_y.y);
@@ -38,7 +38,7 @@ vec3 bent(vec3 normal) {
   return normalize((bend.x * u_axis - bend.y * v_axis) * inversesqrt(longest) + bend.z * normal);
 }
 
-// All but reflectance and glow, and how much it hides of what lies behind.
+// Everything except reflectance and emission, and the opacity.
 Surface surfaceHere(out float opacity) {
   Surface surface;
   vec4 base = diffuse;
