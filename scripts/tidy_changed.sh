@@ -36,12 +36,14 @@ cmake -S "$repository" -B "$workspace-tidy" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -
   -DPython3_EXECUTABLE=/usr/bin/python3 >"$workspace-tidy/configure.log" 2>&1 ||
   { tail -20 "$workspace-tidy/configure.log"; exit 1; }
 rm -f "$workspace-tidy/left"
-export lines folder=$workspace-tidy end=$((EPOCHSECONDS + ${2:-150}))
+# In a file, as the lines of a change of everything are longer than an argument may be. They contain no single quote.
+printf -- "--line-filter='%s'" "$lines" >"$workspace-tidy/line_filter"
+export folder=$workspace-tidy end=$((EPOCHSECONDS + ${2:-150}))
 check() {  # FILE
   if ((EPOCHSECONDS > end)); then
     echo "$1" >>"$folder/left"
   else
-    clang-tidy --quiet -p "$folder" --line-filter="$lines" --warnings-as-errors='*' "$1" 2>/dev/null
+    clang-tidy --quiet -p "$folder" @"$folder/line_filter" --warnings-as-errors='*' "$1" 2>/dev/null
   fi
 }
 export -f check
