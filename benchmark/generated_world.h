@@ -12,7 +12,7 @@ struct GeneratedWorld {
 };
 
 /// Writes 50 models of about 5,000 triangles each, which share five pictures of 512 x 512 pixels,
-/// and a world in which they stand in rows.
+/// and a world with these models in rows.
 /// @param folder  has to exist and be empty
 [[nodiscard]] GeneratedWorld generateWorld(const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 """Measures what real cameras cost compared with a pinhole: lens distortion, motion blur, rolling shutters,
-background subtraction, several cameras, full light, many lamps, skies and panoramas, weather. Each is measured for a
+background subtraction, several cameras, full light, many point lights, skies and panoramas, weather. Each is measured for a
 camera that stands, one on a swinging mast, and one on a rover.
 
   cameras.py PROGRAM RESULTS [--rounds 3] [--only TEXT] [--world FILE [--models FOLDER]]
@@ -58,8 +58,8 @@ CAMERAS = {  # lens: focal length [px], distortion; effects; other settings
     "MOG2": (PINHOLE, {}, SUBTRACTION),
     "full light": (PINHOLE, {}, FULL),
     "full light through plumb_bob": (BARREL, {}, FULL),
-    "30 lamps": (PINHOLE, {}, {"lamps": 30}),
-    "300 lamps": (PINHOLE, {}, {"lamps": 300}),
+    "30 more lights": (PINHOLE, {}, {"lights": 30}),
+    "300 more lights": (PINHOLE, {}, {"lights": 300}),
     "sky": (PINHOLE, {}, {"sky": True}),
     "full light, sky": (PINHOLE, {}, {"sky": True, **FULL}),
     "panorama": (PINHOLE, {}, {"panorama": True}),
@@ -115,24 +115,24 @@ def write_panorama(folder):
                   + chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b""))
 
 
-def lamp(number, count):
-    """One of many lamps under the hall's ceiling; it reaches 3 m and lights a part of the floor."""
+def point_light(number, count):
+    """One of many point lights under the hall's ceiling; it reaches 3 m and lights a part of the floor."""
     columns = math.ceil(math.sqrt(count))
     x, y = ((each + 0.5) / columns * 12.0 - 6.0 for each in divmod(number, columns))
-    return (f"<light name='lamp_{number}' type='point'><pose>{x} {y} 2.5 0 0 0</pose><cast_shadows>false</cast_shadows>"
+    return (f"<light name='light_{number}' type='point'><pose>{x} {y} 2.5 0 0 0</pose><cast_shadows>false</cast_shadows>"
             "<diffuse>0.2 0.2 0.2 1</diffuse><attenuation><range>3</range><constant>0.5</constant><linear>0.1</linear>"
             "<quadratic>0.2</quadratic></attenuation></light>")
 
 
 def what_lies_behind(others, settings, folder):
-    """Settings for a sky, lamps or a panorama, if `others` contain one; these entries are removed."""
-    sky, lamps = others.pop("sky", False), others.pop("lamps", 0)
-    if sky or lamps:
+    """Settings for a sky, point lights or a panorama, if `others` contain one; these entries are removed."""
+    sky, lights = others.pop("sky", False), others.pop("lights", 0)
+    if sky or lights:
         with open(settings["world"]["file"]) as file:
             world = file.read()
         if sky:
             world = world.replace("<scene>", "<scene><sky/>", 1)
-        world = world.replace("</world>", "".join(lamp(i, lamps) for i in range(lamps)) + "</world>")
+        world = world.replace("</world>", "".join(point_light(i, lights) for i in range(lights)) + "</world>")
         with open(f"{folder}/world.sdf", "w") as out:
             out.write(world)
         return {"world": {**settings["world"], "file": f"{folder}/world.sdf"}}

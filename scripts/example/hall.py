@@ -119,7 +119,7 @@ def _add_window(mesh: MeshFile, origin: Vector, along: Vector, height: float) ->
 
 
 def structure() -> MeshFile:
-    """Pillars, beams and lamps: the parts that cast shadows."""
+    """Pillars, beams and ceiling lights: the parts that cast shadows."""
     mesh = MeshFile(MATERIALS)
     for x, y in PILLARS:
         column = moved(box(0.32, 0.32, HEIGHT, 0.02), x, y, 0.5 * HEIGHT)
